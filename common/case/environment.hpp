@@ -1,0 +1,71 @@
+// The case: environment (case key `environment`). Plain values in SI and radians; all declared
+// headings are directions of travel, counter-clockwise from +x seen from above.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace hawser {
+
+struct Water {
+    double density = 1025.0;   ///< [kg/m3]
+    double gravity = 9.80665;  ///< [m/s2]
+};
+
+struct Seabed {
+    double depth = 0.0;               ///< still-water depth at the origin [m]
+    double normal_stiffness = 100e3;  ///< force per length of line and penetration [N/m2]
+    double damping = 10e3;            ///< force per length of line and normal speed [N.s/m2]
+};
+
+enum class WaveType { airy, jonswap, pierson_moskowitz };
+enum class Discretisation { equal_energy, equal_frequency_random };
+enum class Stretching { none, wheeler };
+
+struct WaveTrain {
+    WaveType type = WaveType::airy;
+    double Hs = 0.0, Tp = 0.0;    ///< spectra: significant wave height [m], peak period [s]
+    std::optional<double> gamma;  ///< jonswap peak enhancement; empty: DNV-RP-C205 rule
+    double H = 0.0, T = 0.0;      ///< airy: wave height [m] (twice the amplitude), period [s]
+    double phase = 0.0;           ///< airy: leads the crest at the origin [rad]
+    double heading = 0.0;         ///< [rad]
+    std::uint64_t seed = 0;       ///< spectra
+    int components = 100;
+    Discretisation discretisation = Discretisation::equal_energy;
+    double range_min = 0.5, range_max = 5.0;  ///< frequency range as multiples of the peak
+    Stretching stretching = Stretching::wheeler;
+};
+
+struct CurrentPoint {
+    double depth = 0.0;             ///< below mean sea level [m]
+    double speed = 0.0;             ///< [m/s]
+    std::optional<double> heading;  ///< [rad]; empty: the current's own
+};
+
+struct Current {
+    double heading = 0.0;               ///< [rad]
+    std::vector<CurrentPoint> profile;  ///< ascending depth; linear between, constant outside
+};
+
+enum class WindSpectrum { constant, npd };
+
+struct Wind {
+    WindSpectrum spectrum = WindSpectrum::constant;
+    double speed = 0.0;              ///< mean speed [m/s] over `averaging` at `reference_height`
+    double averaging = 3600.0;       ///< [s]
+    double reference_height = 10.0;  ///< [m]
+    double heading = 0.0;            ///< [rad]
+    std::uint64_t seed = 0;
+    double density = 1.226;  ///< of the air [kg/m3]
+};
+
+struct Environment {
+    Water water;
+    Seabed seabed;
+    std::vector<WaveTrain> waves;  ///< this version: none or one
+    std::optional<Current> current;
+    std::optional<Wind> wind;
+};
+
+}  // namespace hawser

@@ -1,0 +1,92 @@
+// The case: line types and lines (case keys `line_types`, `materials`, `lines`), families expanded:
+// one Line per line. SI and radians. Arc length is unstretched and measured from end A.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/environment.hpp"
+#include "frames.hpp"
+
+namespace hawser {
+
+/// Two-modulus rope, a standard linear solid: R:35, R:36.
+struct Viscoelastic {
+    double EA_dynamic = 0.0, EA_static = 0.0;  ///< [N]
+    double relaxation_time = 0.0;              ///< decay of tension at constant strain [s]
+};
+
+/// Mechanical properties per unit unstretched length of one section, worked out from its line type.
+struct LineType {
+    std::string name;
+    std::string category;         ///< chain, wire, rope, pipe, general
+    double mass = 0.0;            ///< structure, coating and contents [kg/m]
+    double displaced_area = 0.0;  ///< pi/4 (volume diameter)^2 [m2]
+    double outer_diameter = 0.0;  ///< nominal (chain, rope) or outer (pipe) diameter: contact [m]
+    double EA = 0.0;              ///< [N]; EA_dynamic where there is a viscoelastic law
+    double EI = 0.0;              ///< [N.m2]
+    std::optional<Viscoelastic> viscoelastic;
+    std::optional<double> damping_ratio;  ///< of critical in the line's first axial mode, R:5
+    std::optional<double> axial_damping;  ///< EA_damp [N.s], instead of damping_ratio
+    double bending_damping = 0.0;         ///< [N.m2.s]
+    double drag_diameter = 0.0;           ///< both drag coefficients refer to it [m]
+    double drag_normal = 0.0, drag_axial = 0.0;
+    double added_mass_normal = 1.0, added_mass_axial = 0.0;  ///< on displaced_area
+};
+
+struct Section {
+    int type = 0;         ///< index into Case::line_types
+    double length = 0.0;  ///< unstretched [m]
+    int elements = 0;
+    double growth = 1.0;  ///< ratio of neighbouring elements, from end A
+};
+
+enum class EndKind { platform, anchor, fixed, free };
+enum class Joint { ball, clamped, flex };
+
+/// Prescribed harmonic motion of a `fixed` end: offset_i = ramp(t) amplitude_i sin(2 pi t/period_i
+/// + phase_i).
+struct EndMotion {
+    Vec3 amplitude = Vec3::Zero();  ///< surge, sway, heave [m]
+    Vec3 period = Vec3::Ones();     ///< [s]
+    Vec3 phase = Vec3::Zero();      ///< [rad]
+};
+
+struct LineEnd {
+    EndKind kind = EndKind::free;
+    Vec3 position = Vec3::Zero();  ///< platform: platform axes; anchor, fixed: world [m]
+    Joint joint = Joint::ball;
+    double rotational_stiffness = 0.0;  ///< flex joint [N.m/rad]
+    std::optional<Vec3> direction;      ///< flex, clamped: unit axis along increasing arc length
+                                        ///< (same axes as position); empty: the static tangent
+    std::optional<EndMotion> motion;    ///< fixed ends
+};
+
+/// Point mass, clump or buoy on a line.
+struct Attachment {
+    double arc_length = 0.0;  ///< [m]; snapped to a node of the mesh by the rod
+    double mass = 0.0;        ///< [kg]
+    double volume = 0.0;      ///< [m3]
+    double drag_area = 0.0;   ///< Cd A [m2]
+    double Ca = 0.0;          ///< on rho volume
+};
+
+struct Line {
+    std::string name, family;
+    LineEnd end_a, end_b;
+    std::vector<Section> sections;  ///< from end A
+    std::vector<Attachment> attachments;
+    std::optional<double> time_step;  ///< upper bound of this line's rod step [s]
+    std::optional<double>
+        sheltered_above;   ///< height on the platform above which water moves with it [m]
+    double azimuth = 0.0;  ///< of the pattern, platform towards anchor [rad]
+
+    [[nodiscard]] double length() const {
+        double sum = 0.0;
+        for (const Section& s : sections) sum += s.length;
+        return sum;
+    }
+};
+
+}  // namespace hawser

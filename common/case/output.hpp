@@ -1,0 +1,25 @@
+// The case: what is recorded (case key `output`).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hawser {
+
+/// Results of the lines whose name matches `select` (glob: * and ?).
+struct LineOutput {
+    std::string select = "*";
+    bool end_a = true, end_b = false;
+    bool effective_tension = true, declination = false, azimuth = false, force = false,
+         moment = false;
+};
+
+struct Output {
+    double interval = 0.0;            ///< sampling [s], a multiple of the platform step (resolved)
+    std::optional<double> snapshots;  ///< interval of node positions [s]
+    bool platform_motions = true, platform_loads = false, environment = true;
+    std::vector<LineOutput> lines;
+};
+
+}  // namespace hawser

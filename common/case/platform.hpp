@@ -1,0 +1,89 @@
+// The case: the platform (case key `platform`). SI and radians; positions on platform axes
+// (x forward, y to port, z up, origin at the reference point O on the design waterline).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frames.hpp"
+
+namespace hawser {
+
+/// Hydrodynamic coefficients from a diffraction program (case-key `hydrodynamics.database`).
+struct HydroDatabase {
+    std::string path;               ///< stem of the WAMIT files, resolved against the case's folder
+    double ulen = 1.0;              ///< WAMIT's length unit [m]
+    double rho = 0.0;               ///< density that makes the files dimensional [kg/m3]
+    double displaced_volume = 0.0;  ///< [m3]
+    Vec3 centre_of_buoyancy = Vec3::Zero();  ///< [m]
+    bool includes_weight = false;            ///< does the .hst contain -m g z_G?
+    double included_mass = 0.0;              ///< [kg], with includes_weight
+    double included_z = 0.0;                 ///< [m], with includes_weight
+    Vec3 reference_point = Vec3::Zero();     ///< the files' moment origin on platform axes [m]
+};
+
+/// Constant 6x6 matrices about O for a platform with no database. SI, radians.
+struct HydroMatrix {
+    Mat6 added_mass = Mat6::Zero();
+    Mat6 damping = Mat6::Zero();
+    Mat6 stiffness = Mat6::Zero();  ///< waterplane stiffness; only rows heave, roll, pitch act
+};
+
+enum class Drift { none, mean, newman };
+enum class WavePhase { slow, instantaneous };
+
+struct Hydrodynamics {
+    std::optional<HydroDatabase> database;
+    std::optional<HydroMatrix> matrix;
+    std::optional<double> added_mass_frequency;  ///< [rad/s]; empty (auto): the spectral peak
+    Drift drift = Drift::none;
+    std::optional<WavePhase> wave_phase;  ///< empty: slow if there is drift, else instantaneous
+    std::optional<double> slow_cutoff;    ///< [rad/s]; empty: a quarter of the spectral peak
+};
+
+/// A cylinder of the hull between two points (Morison).
+struct Member {
+    std::string name;
+    Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< [m]
+    double diameter = 0.0;                        ///< drag width [m]
+    double Cd = 0.0, axial_Cd = 0.0;              ///< both on diameter x wetted length
+    double end_Cd_from = 0.0, end_Cd_to = 0.0;    ///< on pi D^2/4
+    bool inertia = true;                          ///< Froude-Krylov, added mass and buoyancy act
+    double displaced_area = 0.0;  ///< section that displaces water [m2] (resolved default)
+    double Ca = 1.0;              ///< added mass coefficient on displaced_area
+    bool waves_in_drag = true;
+    bool current = true;
+};
+
+/// A heave plate: drag and added mass along its normal.
+struct Plate {
+    std::string name;
+    Vec3 position = Vec3::Zero();  ///< [m]
+    Vec3 normal = Vec3::UnitZ();   ///< unit vector
+    double area = 0.0, Cd = 0.0;   ///< [m2], [-]
+    double added_mass = 0.0;       ///< along the normal [kg]
+};
+
+struct WindArea {
+    double area = 0.0, centre_height = 0.0, Cs = 1.0;  ///< [m2], above O [m], [-]
+};
+
+struct Platform {
+    std::string name = "platform";
+    std::optional<double> mass;          ///< [kg]; empty: auto, floats at its design draft
+    std::optional<double> displacement;  ///< [kg], only compared
+    std::optional<double> draft;         ///< keel below O [m]; empty: lowest member
+    Vec3 centre_of_gravity = Vec3::Zero();
+    Vec3 radii_of_gyration = Vec3::Zero();  ///< about the centre of gravity [m]
+    std::optional<Mat3> inertia;            ///< about the centre of gravity [kg.m2], instead
+    PlatformMotion initial;                 ///< added to the static position
+    Hydrodynamics hydrodynamics;
+    std::vector<Member> members;
+    std::vector<Plate> plates;  ///< one entry per plate (a list of z is expanded)
+    std::optional<WindArea> wind;
+    Mat6 linear_damping = Mat6::Zero();     ///< about O on axes that turn with yaw [SI, rad]
+    Mat6 quadratic_damping = Mat6::Zero();  ///< F_i = -sum_j B_ij |v_j| v_j
+};
+
+}  // namespace hawser

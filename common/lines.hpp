@@ -1,0 +1,59 @@
+// The seam between the platform and its lines: one order down, one reply up. These structs are the
+// whole contract between master and worker, in one process as across ranks (README.md, "four
+// steps").
+#pragma once
+
+#include <type_traits>
+#include <vector>
+
+#include "frames.hpp"
+#include "status.hpp"
+
+namespace hawser {
+
+/// What the platform asks of the lines.
+enum class Ask : int {
+    run_to,       ///< run a pass of the rods from their kept state at t0 to t1 (P:3)
+    equilibrium,  ///< static solution with the platform at `to`; replies the stiffness too
+    stop,         ///< nothing more to do; flags are still carried out
+};
+
+/// One order. The flags are carried out first, in the order they stand here; then comes the ask.
+/// Sent as bytes by MPI_Bcast: trivially copyable.
+struct Order {
+    Ask ask = Ask::stop;
+    bool keep_previous = false;  ///< the pass that ended last becomes the rods' kept state
+    bool sample = false;         ///< sample the kept state (time t0) for the results
+    bool snapshot = false;       ///< sample node positions too
+    bool write_segment = false;  ///< all ranks write what they have sampled (collective)
+    bool current = true;         ///< equilibrium: with (true) or without current
+    double t0 = 0.0, t1 = 0.0;   ///< [s]
+    PlatformMotion from, to;     ///< the platform at t0 and t1; the spline P:5 lies between
+};
+
+/// Load of one line on the platform: force [N] and moment about O [N.m] on world axes, at t1.
+struct LineLoad {
+    Vec6 wrench = Vec6::Zero();
+    double end_tension = 0.0;       ///< effective tension at end A [N], for the progress line
+    Mat6 stiffness = Mat6::Zero();  ///< -d(wrench)/d(position, rotation vector), equilibrium only
+};
+
+struct Reply {
+    Status status;
+    std::vector<LineLoad> lines;  ///< one per line, in line order
+};
+
+/// Lines as the platform sees them: local (same process) or remote (other ranks). Between send and
+/// receive the platform computes its own loads.
+class Lines {
+ public:
+    Lines() = default;
+    Lines(const Lines&) = delete;
+    Lines& operator=(const Lines&) = delete;
+    virtual ~Lines() = default;
+
+    virtual void send(const Order& order) = 0;
+    virtual const Reply& receive() = 0;
+};
+
+}  // namespace hawser

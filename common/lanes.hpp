@@ -97,4 +97,36 @@ inline bool any(LaneMask<N> m) {
     return on != 0;
 }
 
+// One lane: the same words for double, so that kernels are written once.
+[[gnu::always_inline]] inline double select(bool m, double a, double b) { return m ? a : b; }
+[[gnu::always_inline]] inline double sqrt(double a) { return std::sqrt(a); }
+[[gnu::always_inline]] inline double abs(double a) { return std::abs(a); }
+[[gnu::always_inline]] inline double max(double a, double b) { return a > b ? a : b; }
+[[gnu::always_inline]] inline double min(double a, double b) { return a < b ? a : b; }
+inline bool any(bool m) { return m; }
+
+/// Lane access that works for double and for Lanes<N>.
+template <class V>
+struct LaneTraits;
+template <>
+struct LaneTraits<double> {
+    using Mask = bool;
+    static constexpr int count = 1;
+    static double get(double v, int) { return v; }
+    static void set(double& v, int, double x) { v = x; }
+    static bool get(bool m, int) { return m; }
+    static void set(bool& m, int, bool on) { m = on; }
+    static constexpr bool none() { return false; }
+};
+template <int N>
+struct LaneTraits<Lanes<N>> {
+    using Mask = LaneMask<N>;
+    static constexpr int count = N;
+    static double get(const Lanes<N>& v, int i) { return v[i]; }
+    static void set(Lanes<N>& v, int i, double x) { v.set(i, x); }
+    static bool get(const Mask& m, int i) { return m[i]; }
+    static void set(Mask& m, int i, bool on) { m.set(i, on); }
+    static Mask none() { return Mask::none(); }
+};
+
 }  // namespace hawser

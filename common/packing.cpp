@@ -1,0 +1,71 @@
+#include "packing.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include "line_mesh.hpp"
+
+namespace hawser {
+
+namespace {
+
+struct Layout {
+    int elements;
+    EndKind end_a, end_b;
+    Joint joint_a, joint_b;
+    std::vector<int> attachment_nodes;
+    bool operator==(const Layout&) const = default;
+};
+
+Layout layout_of(const Line& line) {
+    const LineMesh mesh = mesh_of(line);
+    return {.elements = mesh.elements(),
+            .end_a = line.end_a.kind,
+            .end_b = line.end_b.kind,
+            .joint_a = line.end_a.joint,
+            .joint_b = line.end_b.joint,
+            .attachment_nodes = mesh.attachment_node};
+}
+
+}  // namespace
+
+std::vector<Pack> packs_of(const Case& input) {
+    std::vector<Pack> packs;
+    std::vector<Layout> layouts;
+    for (int i = 0; i < static_cast<int>(input.lines.size()); ++i) {
+        const Line& line = input.lines[static_cast<std::size_t>(i)];
+        const Layout layout = layout_of(line);
+        std::size_t p = 0;
+        while (p < packs.size() &&
+               !(layouts[p] == layout && packs[p].lines.size() < lanes_per_pack))
+            ++p;
+        if (p == packs.size()) {
+            packs.push_back({});
+            layouts.push_back(layout);
+        }
+        packs[p].lines.push_back(i);
+        const double step = std::min(line.time_step.value_or(input.analysis.dynamics.line_step),
+                                     input.analysis.dynamics.line_step);
+        packs[p].cost =
+            std::max(packs[p].cost, layout.elements / step);  // a pack steps at its slowest
+    }
+    return packs;
+}
+
+std::vector<int> assign(const std::vector<Pack>& packs, int workers) {
+    std::vector<std::size_t> order(packs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return packs[a].cost > packs[b].cost; });
+    std::vector<double> load(static_cast<std::size_t>(workers), 0.0);
+    std::vector<int> worker(packs.size(), 0);
+    for (const std::size_t p : order) {
+        const auto least = std::min_element(load.begin(), load.end());
+        *least += packs[p].cost;
+        worker[p] = static_cast<int>(least - load.begin());
+    }
+    return worker;
+}
+
+}  // namespace hawser

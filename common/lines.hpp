@@ -22,13 +22,13 @@ enum class Ask : int {
 /// Sent as bytes by MPI_Bcast: trivially copyable.
 struct Order {
     Ask ask = Ask::stop;
-    bool keep_previous = false;  ///< the pass that ended last becomes the rods' kept state
-    bool sample = false;         ///< sample the kept state (time t0) for the results
-    bool snapshot = false;       ///< sample node positions too
-    bool write_segment = false;  ///< all ranks write what they have sampled (collective)
-    bool current = true;         ///< equilibrium: with (true) or without current
-    double t0 = 0.0, t1 = 0.0;   ///< [s]
-    PlatformMotion from, to;     ///< the platform at t0 and t1; the spline P:5 lies between
+    bool keep_previous = false;   ///< the pass that ended last becomes the rods' kept state
+    bool sample = false;          ///< sample the kept state (time t0) for the results
+    bool snapshot = false;        ///< sample node positions too
+    bool write_segment = false;   ///< all ranks write what they have sampled (collective)
+    bool current = true;          ///< equilibrium: with (true) or without current
+    double t0 = 0.0, t1 = 0.0;    ///< [s]
+    PlatformMotion from{}, to{};  ///< the platform at t0 and t1; the spline P:5 lies between
 };
 
 /// Load of one line on the platform: force [N] and moment about O [N.m] on world axes, at t1.

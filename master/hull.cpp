@@ -1,0 +1,237 @@
+#include "hull.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "status.hpp"
+#include "user_damping.hpp"
+#include "wave_phases.hpp"
+
+namespace hawser::master {
+
+namespace {
+constexpr double steepest_pitch = 80.0 * M_PI / 180.0;  // K:2: det E = cos(pitch)
+
+/// Case key hydrodynamics.added_mass: a frequency, or the spectral peak.
+Radiation radiation_of(const Hydrodynamics& h, const HydroData* data, const Sea& sea) {
+    Radiation r;
+    if (data != nullptr) {
+        if (!h.added_mass_frequency && !sea.has_waves())
+            throw RunError(ExitCode::input,
+                           "platform.hydrodynamics.added_mass: expected a frequency, e.g. "
+                           "{constant: 0.4 rad/s}: in still water there is no spectral peak to "
+                           "take the constant added mass and damping at");
+        r = radiation_at(*data, h.added_mass_frequency.value_or(sea.peak_frequency()));
+    }
+    if (h.matrix) {
+        r.added_mass += h.matrix->added_mass;
+        r.damping += h.matrix->damping;
+    }
+    return r;
+}
+
+Buoyancy buoyancy_of(const Hydrodynamics& h, const HydroData* data, const Water& water) {
+    Buoyancy b{.density = water.density, .gravity = water.gravity};
+    if (data != nullptr) {
+        b.volume = data->displaced_volume;
+        b.centre = data->centre_of_buoyancy;
+        b.waterplane = data->waterplane_stiffness;
+    }
+    if (h.matrix) b.waterplane += h.matrix->stiffness.block<3, 3>(2, 2);
+    return b;
+}
+
+const Platform& platform_of(const Case& c) {
+    if (!c.platform) throw RunError(ExitCode::bug, "a hull was asked for in a case without one");
+    return *c.platform;
+}
+}  // namespace
+
+Hull::Hull(const Case& c, const HydroData* data)
+    : name_(platform_of(c).name),
+      statics_(c.analysis.statics),
+      ramp_(c.analysis.dynamics.ramp),
+      sea_(c.environment, ramp_, 0.0),
+      buoyancy_(buoyancy_of(c.platform->hydrodynamics, data, c.environment.water)),
+      radiation_(radiation_of(c.platform->hydrodynamics, data, sea_)),
+      members_(c.platform->members, c.environment.water),
+      plates_(c.platform->plates, c.environment.water),
+      wind_(c.environment.wind, c.platform->wind, ramp_),
+      linear_damping_(c.platform->linear_damping),
+      quadratic_damping_(c.platform->quadratic_damping),
+      phases_(sea_.components().size()),
+      slow_phases_(sea_.components().size()) {
+    const Platform& p = *c.platform;
+    const Hydrodynamics& h = p.hydrodynamics;
+    body_.centre_of_gravity = p.centre_of_gravity;
+    if (p.inertia)
+        body_.inertia = *p.inertia;
+    else
+        radii_ = p.radii_of_gyration;
+    mass_is_auto_ = !p.mass;
+    set_mass(p.mass.value_or(acting_buoyancy() / c.environment.water.gravity));
+
+    drift_ = h.drift;
+    wave_phase_ =
+        h.wave_phase.value_or(drift_ == Drift::none ? WavePhase::instantaneous : WavePhase::slow);
+    cutoff_ = sea_.has_waves() ? h.slow_cutoff.value_or(sea_.peak_frequency() / 4) : 0.0;
+    if (data != nullptr && sea_.has_waves()) {
+        excitation_ = ComponentTable<CVec6>(data->excitation, sea_.components());
+        if (drift_ != Drift::none) {
+            if (data->mean_drift.empty())
+                throw RunError(ExitCode::input,
+                               "platform.hydrodynamics.drift: expected a database with mean drift "
+                               "(.8, .9 or .7); found none of them");
+            mean_drift_ = ComponentTable<Vec6>(data->mean_drift, sea_.components());
+        }
+    }
+}
+
+void Hull::set_mass(double mass) {
+    body_.mass = mass;
+    if (radii_) body_.inertia = mass * radii_->cwiseAbs2().asDiagonal();
+}
+
+double Hull::acting_buoyancy() const {
+    return buoyancy_.density * buoyancy_.gravity * (buoyancy_.volume + members_.design_volume());
+}
+
+HullLoads Hull::loads(double t, const State& s) const {
+    const PlatformMotion m = motion_of(s);
+    const Mat3 R = rotation(m.angles);
+    const Vec3 w = angular_velocity(m);
+    const double r = ramp_factor(t, ramp_);
+    HullLoads loads;
+
+    loads[Load::weight] =
+        weight_load(body_.mass, buoyancy_.gravity, R * body_.centre_of_gravity);  // K:6
+    loads[Load::hydrostatic] = hydrostatic_load(buoyancy_, m, R);                 // K:6, K:7
+
+    if (!excitation_.empty()) {  // K:8
+        const WavePosition slow = slow_position(s);
+        set_wave_phases(sea_.components(), t, slow, slow_phases_);
+        if (wave_phase_ == WavePhase::slow) {
+            loads[Load::wave1] =
+                r * excitation_load(excitation_, sea_.components(), slow_phases_, slow.yaw);
+        } else {
+            const WavePosition here = instantaneous_position(s);
+            set_wave_phases(sea_.components(), t, here, phases_);
+            loads[Load::wave1] =
+                r * excitation_load(excitation_, sea_.components(), phases_, here.yaw);
+        }
+        const DriftLoad drift = drift_load(mean_drift_, sea_.components(), slow_phases_, slow.yaw);
+        loads[Load::drift] = mean_factor(statics_.drift_mean, r) * drift.mean;
+        if (drift_ == Drift::newman) loads[Load::drift] += r * (drift.slow - drift.mean);
+    }
+
+    const double current_factor = mean_factor(statics_.current, r);
+    const MemberLoad members = members_.load(t, sea_, current_factor, m, R, w);
+    const PlateLoad plates = plates_.load(t, sea_, current_factor, m, R, w);
+    loads[Load::hydrostatic] += members.buoyancy;
+    loads[Load::members] = members.rest;
+    loads[Load::plates] = plates.rest;
+    loads[Load::current] = members.current + plates.current;
+    loads.member_added_mass = members.added_mass;
+    loads.plate_added_mass = plates.added_mass;
+
+    loads[Load::wind] =
+        wind_.load(t, m, R, w) - (1.0 - mean_factor(statics_.wind_mean, r)) * wind_.mean_load(R);
+    loads[Load::damping] = user_damping_load(linear_damping_, quadratic_damping_, m, w);
+    return loads;
+}
+
+State Hull::rate(double t, const State& s, HullLoads& loads, const Vec6& lines,
+                 Vec6* acceleration) const {
+    const PlatformMotion m = motion_of(s);
+    const double pitch = m.angles.y();
+    if (!(std::abs(pitch) <= steepest_pitch))
+        throw RunError(ExitCode::diverged,
+                       fmt::format("{}, t = {:.3f} s: pitch is {:.1f} deg; roll and yaw lose their "
+                                   "meaning near 90 deg, the limit is 80 deg. Look at the loads "
+                                   "and the stability of the platform, or take a shorter "
+                                   "analysis.dynamics.steps.platform",
+                                   name_, t, pitch * 180 / M_PI));
+    const Mat3 R = rotation(m.angles);
+    const Vec3 w = angular_velocity(m);
+    const TurnedBody body = turned(body_, R);
+    const Mat6 A_w = turned(radiation_.added_mass, R), B_w = turned(radiation_.damping, R);
+    Vec6 velocity;
+    velocity << m.velocity, w;
+
+    loads[Load::lines] = lines;
+    loads[Load::radiation] = -B_w * velocity;
+    const Vec6 force = loads.total() - gyroscopic_load(body, w);
+    const Mat6 virtual_mass =
+        mass_matrix(body) + A_w + loads.member_added_mass + loads.plate_added_mass;
+    const Vec6 a = virtual_mass.partialPivLu().solve(force);  // K:4: (x_O'', w')
+    if (!a.allFinite())
+        throw RunError(ExitCode::diverged,
+                       fmt::format("{}, t = {:.3f} s: the platform's acceleration is not a finite "
+                                   "number; take a shorter analysis.dynamics.steps.platform or "
+                                   "look for a load without bound",
+                                   name_, t));
+    loads[Load::radiation] -= A_w * a;
+    loads[Load::members] -= loads.member_added_mass * a;
+    loads[Load::plates] -= loads.plate_added_mass * a;
+
+    State rate = State::Zero();
+    rate.segment<6>(0) = s.segment<6>(6);
+    rate.segment<3>(6) = a.head<3>();
+    rate.segment<3>(9) = angular_velocity_matrix(m.angles).partialPivLu().solve(
+        Vec3(a.tail<3>() -
+             angular_velocity_matrix_rate(m.angles, m.angle_rates) * m.angle_rates));  // K:3
+    add_slow_motion_to(rate, s, cutoff_);                                              // K:8
+    if (acceleration != nullptr) *acceleration = rate.segment<6>(6);
+    return rate;
+}
+
+Vec6 Hull::static_load(const PlatformMotion& pose, const Statics& which) const {
+    const Mat3 R = rotation(pose.angles);
+    Vec6 load = weight_load(body_.mass, buoyancy_.gravity, R * body_.centre_of_gravity) +
+                hydrostatic_load(buoyancy_, pose, R);
+    const MemberLoad members = members_.static_load(sea_, 1.0, pose, R);
+    load += members.buoyancy;
+    if (which.current) load += members.current + plates_.current_load(sea_, 1.0, pose, R);
+    if (which.wind_mean) load += wind_.mean_load(R);
+    if (which.drift_mean && !mean_drift_.empty()) {
+        const WavePosition at{pose.position.x(), pose.position.y(), pose.angles.z()};
+        set_wave_phases(sea_.components(), 0.0, at, slow_phases_);
+        load += drift_load(mean_drift_, sea_.components(), slow_phases_, at.yaw).mean;
+    }
+    return load;
+}
+
+Mat6 Hull::static_stiffness(const PlatformMotion& pose, const Statics& which) const {
+    Mat6 K;
+    for (int j = 0; j < 6; ++j) {
+        const double h = j < 3 ? 1e-2 : 1e-4;  // [m], [rad]: error h^2, rounding 1e-16 of 1 GN/h
+        Vec6 step = Vec6::Zero();
+        step[j] = h;
+        K.col(j) = (static_load(displaced(pose, -step), which) -
+                    static_load(displaced(pose, step), which)) /
+                   (2.0 * h);
+    }
+    return K;
+}
+
+State Hull::start(const PlatformMotion& equilibrium, const PlatformMotion& with_initial) const {
+    State s = State::Zero();
+    set_motion(s, with_initial);
+    rest_slow_motion_at(s, equilibrium);
+    return s;
+}
+
+Vec6 Hull::momentum(const State& s) const {
+    const PlatformMotion m = motion_of(s);
+    return master::momentum(turned(body_, rotation(m.angles)), m.velocity, angular_velocity(m));
+}
+
+Vec6 Hull::momentum_transport(const State& s) const {
+    const PlatformMotion m = motion_of(s);
+    return master::momentum_transport(turned(body_, rotation(m.angles)), m.velocity,
+                                      angular_velocity(m));
+}
+
+}  // namespace hawser::master

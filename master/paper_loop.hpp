@@ -19,9 +19,7 @@ namespace hawser::master {
 /// (`rate.loads()` ...), sets the flags of the next order and returns false to end the run.
 /// @return the last state
 template <class Platform, class Record>
-typename Platform::State paper_loop(PaperRate<Platform>& rate, typename Platform::State y, double D,
-                                    Record&& record) {
-    using State = typename Platform::State;
+State paper_loop(PaperRate<Platform>& rate, State y, double D, Record&& record) {
     State k1 = rate.at_start(y);  // lines' forces at the static start
     for (int step = 0; record(step, step * D, y); ++step) {
         const double t = step * D, half = (step + 0.5) * D, end = (step + 1) * D;  // no running sum

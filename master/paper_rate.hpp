@@ -3,8 +3,10 @@
 #pragma once
 
 #include <stdexcept>
+#include <utility>
 
 #include "lines.hpp"
+#include "state.hpp"
 
 namespace hawser::master {
 
@@ -30,7 +32,6 @@ struct LinesFailed : std::runtime_error {
 template <class Platform>
 class PaperRate {
  public:
-    using State = typename Platform::State;
     using Loads = decltype(std::declval<const Platform&>().loads(0.0, std::declval<State>()));
 
     /// @param static_reply the lines' loads at the static start, t = 0
@@ -51,8 +52,8 @@ class PaperRate {
         next_.ask = Ask::run_to;
         next_.t0 = t0;
         next_.t1 = t1;
-        next_.from = platform_.motion(y);
-        next_.to = platform_.motion(s);
+        next_.from = motion_of(y);
+        next_.to = motion_of(s);
         lines_.send(next_);
         next_ = Order{};
         loads_ = platform_.loads(t1, s);

@@ -25,12 +25,12 @@ enum class Stretching { none, wheeler };
 
 struct WaveTrain {
     WaveType type = WaveType::airy;
-    double Hs = 0.0, Tp = 0.0;    ///< spectra: significant wave height [m], peak period [s]
-    std::optional<double> gamma;  ///< jonswap peak enhancement; empty: DNV-RP-C205 rule
-    double H = 0.0, T = 0.0;      ///< airy: wave height [m] (twice the amplitude), period [s]
-    double phase = 0.0;           ///< airy: leads the crest at the origin [rad]
-    double heading = 0.0;         ///< [rad]
-    std::uint64_t seed = 0;       ///< spectra
+    double Hs = 0.0, Tp = 0.0;         ///< spectra: significant wave height [m], peak period [s]
+    std::optional<double> gamma = {};  ///< jonswap peak enhancement; empty: DNV-RP-C205 rule
+    double H = 0.0, T = 0.0;           ///< airy: wave height [m] (twice the amplitude), period [s]
+    double phase = 0.0;                ///< airy: leads the crest at the origin [rad]
+    double heading = 0.0;              ///< [rad]
+    std::uint64_t seed = 0;            ///< spectra
     int components = 100;
     Discretisation discretisation = Discretisation::equal_energy;
     double range_min = 0.5, range_max = 5.0;  ///< frequency range as multiples of the peak
@@ -38,9 +38,9 @@ struct WaveTrain {
 };
 
 struct CurrentPoint {
-    double depth = 0.0;             ///< below mean sea level [m]
-    double speed = 0.0;             ///< [m/s]
-    std::optional<double> heading;  ///< [rad]; empty: the current's own
+    double depth = 0.0;                  ///< below mean sea level [m]
+    double speed = 0.0;                  ///< [m/s]
+    std::optional<double> heading = {};  ///< [rad]; empty: the current's own
 };
 
 struct Current {

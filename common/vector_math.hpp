@@ -83,7 +83,7 @@ template <int N>
     using Integer = typename LaneMask<N>::Raw;
     using detail::inverse_factorial;
 
-    const Real clamped = min(max(x, Lanes<N>(-700.0)), Lanes<N>(700.0)).v;
+    const Real clamped = min(Lanes<N>(700.0), max(Lanes<N>(-700.0), x)).v;  // lets NaN through
     const Real shifted = clamped * std::numbers::log2e + detail::rounding_shift;
     const Real n = shifted - detail::rounding_shift;
     Real r = clamped - n * detail::ln_2[0];

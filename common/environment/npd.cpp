@@ -30,8 +30,8 @@ double NpdWind::gust_density(double z, double f) const {
 
 NpdWind npd_wind(double speed, double averaging, double height) {
     assert(speed >= 0.0 && averaging > 0.0 && height > 0.0);
-    // The mean at the given height rises with U0 for every height from some centimetres up:
-    // halve the bracket until its ends meet.
+    // The mean at the given height rises with U0 for heights above half a metre: halve the bracket
+    // until its ends meet.
     double low = 0.0, high = 4.0 * speed + 1.0;
     while (true) {
         const double middle = 0.5 * (low + high);

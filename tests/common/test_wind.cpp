@@ -1,0 +1,119 @@
+// NPD wind: check values of validation row C (87.5 knots = 45.0138 m/s), gusts in time.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "environment/npd.hpp"
+#include "environment/wind.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr NpdWind hurricane{.U0 = 45.0138};
+const Wind paper_wind{.spectrum = WindSpectrum::npd, .speed = 45.0138, .heading = 0.0, .seed = 11};
+
+double standard_deviation(const std::vector<GustComponent>& gusts) {
+    double variance = 0.0;
+    for (const GustComponent& g : gusts) variance += 0.5 * g.amplitude * g.amplitude;
+    return std::sqrt(variance);
+}
+
+// Given to the digits shown.
+TEST(Npd, ProfileAndSpectrumAgreeWithCheckValues) {
+    EXPECT_NEAR(hurricane.mean(20.0), 49.992, 5e-4);
+    EXPECT_NEAR(hurricane.mean(30.0), 52.903, 5e-4);
+    EXPECT_NEAR(hurricane.mean(50.0), 56.572, 5e-4);
+    EXPECT_NEAR(hurricane.mean(100.0), 61.550, 5e-4);
+    EXPECT_NEAR(hurricane.turbulence_intensity(10.0), 0.17614, 5e-6);
+    EXPECT_NEAR(hurricane.gust_density(10.0, 0.01), 865.71, 5e-3);
+    EXPECT_NEAR(hurricane.gust_density(10.0, 0.1), 99.305, 5e-4);
+    EXPECT_NEAR(hurricane.gust_density(30.0, 0.01), 795.42, 5e-3);
+    EXPECT_NEAR(hurricane.gust_density(30.0, 0.1), 67.142, 5e-4);
+}
+
+// ISO 19901-1: u = U [1 - 0.41 Iu ln(t/3600)]; at 10 m and one minute 45.0138 (1 + 0.41 x 0.17614 x
+// ln 60) = 58.324 m/s.
+TEST(Npd, ShorterAveragesAreHigher) {
+    EXPECT_NEAR(hurricane.mean(10.0, 60.0), 58.324, 2e-3);
+    EXPECT_EQ(hurricane.mean(30.0, 3600.0), hurricane.mean(30.0));
+    EXPECT_EQ(hurricane.mean(30.0, 10800.0), hurricane.mean(30.0));
+}
+
+TEST(Npd, SpeedOfAnyAveragingAndHeightGivesBackTheHourlyMean) {
+    for (const double averaging : {3.0, 60.0, 600.0, 3600.0})
+        for (const double height : {2.0, 10.0, 30.0, 90.0})
+            EXPECT_NEAR(npd_wind(hurricane.mean(height, averaging), averaging, height).U0, 45.0138,
+                        1e-12)
+                << averaging << " s, " << height << " m";
+    EXPECT_NEAR(npd_wind(0.0, 3600.0, 10.0).U0, 0.0, 1e-12);
+}
+
+// The standard deviation over 1/600 to 0.5 Hz, given to four digits.
+TEST(WindField, GustsHaveTheStandardDeviationOfTheBand) {
+    EXPECT_NEAR(standard_deviation(WindField(paper_wind, 0.0, 10.0).components()), 6.915, 1e-3);
+    EXPECT_NEAR(standard_deviation(WindField(paper_wind, 0.0, 30.0).components()), 6.173, 1e-3);
+}
+
+TEST(WindField, MeanIsThatOfTheHeight) {
+    EXPECT_NEAR(WindField(paper_wind, 100.0, 30.0).mean_speed(), 52.903, 5e-4);
+    Wind minute = paper_wind;
+    minute.speed = hurricane.mean(20.0, 60.0);
+    minute.averaging = 60.0;
+    minute.reference_height = 20.0;
+    EXPECT_NEAR(WindField(minute, 100.0, 30.0).mean_speed(), 52.903, 5e-4);
+}
+
+// Frequencies inside the band; lines 2.9 % apart on average, so 0.045 rad/s (surge) is resolved.
+TEST(WindField, ComponentsFillTheBand) {
+    const auto gusts = WindField(paper_wind, 0.0, 30.0).components();
+    ASSERT_EQ(gusts.size(), 200u);
+    double last = 2.0 * M_PI / 600.0;
+    for (const GustComponent& g : gusts) {
+        EXPECT_GE(g.omega, last);
+        EXPECT_LE(g.omega / last, 1.06);  // neighbouring bins of 2.9 %: at most two of them apart
+        last = g.omega;
+    }
+    EXPECT_LE(last, M_PI);
+}
+
+// Most of the energy lies below 0.02 Hz on some 80 lines of unequal strength: correlations of the
+// order of 0.2 remain, a repetition would be 1.
+TEST(WindField, GustsDoNotRepeatWithinThreeHours) {
+    const auto gusts = WindField(paper_wind, 0.0, 30.0).components();
+    double largest = 0.0, total = 0.0;
+    for (const GustComponent& g : gusts) total += g.amplitude * g.amplitude;
+    for (double lag = 600.0; lag < 10800.0; lag += 5.0) {
+        double correlation = 0.0;
+        for (const GustComponent& g : gusts)
+            correlation += g.amplitude * g.amplitude * std::cos(g.omega * lag);
+        largest = std::max(largest, std::abs(correlation) / total);
+    }
+    EXPECT_LT(largest, 0.5);
+}
+
+TEST(WindField, GustsAreRampedAndTheMeanIsNot) {
+    const WindField ramped(paper_wind, 100.0, 30.0), full(paper_wind, 0.0, 30.0);
+    EXPECT_EQ(ramped.speed(0.0), ramped.mean_speed());
+    EXPECT_NEAR(ramped.speed(50.0) - ramped.mean_speed(),
+                0.5 * (full.speed(50.0) - full.mean_speed()), 1e-13);
+    EXPECT_EQ(ramped.speed(200.0), full.speed(200.0));
+    EXPECT_NE(full.speed(200.0), full.mean_speed());
+}
+
+TEST(WindField, FollowsFromItsSeed) {
+    Wind other = paper_wind;
+    EXPECT_EQ(WindField(paper_wind, 0.0, 30.0).speed(77.0),
+              WindField(other, 0.0, 30.0).speed(77.0));
+    other.seed = 12;
+    EXPECT_NE(WindField(paper_wind, 0.0, 30.0).speed(77.0),
+              WindField(other, 0.0, 30.0).speed(77.0));
+}
+
+TEST(WindField, ConstantWindIsTheGivenSpeedEverywhere) {
+    const Wind steady{.spectrum = WindSpectrum::constant, .speed = 20.0};
+    EXPECT_EQ(WindField(steady, 100.0, 70.0).speed(123.0), 20.0);
+    EXPECT_EQ(WindField(steady, 100.0, 70.0).mean_speed(), 20.0);
+}
+
+}  // namespace
+}  // namespace hawser

@@ -21,6 +21,7 @@ struct HydroDatabase {
     double included_mass = 0.0;              ///< [kg], with includes_weight
     double included_z = 0.0;                 ///< [m], with includes_weight
     Vec3 reference_point = Vec3::Zero();     ///< the files' moment origin on platform axes [m]
+    std::vector<std::string> symmetry;       ///< planes of the hull: xz, yz; headings are mirrored
 };
 
 /// Constant 6x6 matrices about O for a platform with no database. SI, radians.

@@ -1,0 +1,125 @@
+#include "equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "paper_rate.hpp"
+#include "pose.hpp"
+
+namespace hawser::master {
+
+namespace {
+
+constexpr std::array<const char*, 6> motion_names = {"surge", "sway",  "heave",
+                                                     "roll",  "pitch", "yaw"};
+
+const Reply& ask(Lines& lines, const PlatformMotion& pose, bool current) {
+    Order order;
+    order.ask = Ask::equilibrium;
+    order.current = current;
+    order.from = order.to = pose;
+    lines.send(order);
+    return lines.receive();
+}
+
+/// Least-norm solution of K dX = r with rotations measured as lengths; what nothing holds stays.
+struct NewtonStep {
+    Vec6 dX;
+    Vec6 unheld;  ///< part of r that no displacement can balance
+};
+NewtonStep newton_step(const Mat6& K, const Vec6& r, double length) {
+    Vec6 scale = Vec6::Ones();
+    scale.tail<3>().setConstant(1.0 / length);
+    const Mat6 Ks = scale.asDiagonal() * K * scale.asDiagonal();
+    const Vec6 rs = scale.cwiseProduct(r);
+    Eigen::JacobiSVD<Mat6> solver(Ks, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    solver.setThreshold(1e-9);  // of the stiffest direction; rounding leaves about 1e-12
+    const Vec6 x = solver.solve(rs);
+    return {scale.cwiseProduct(x), (rs - Ks * x).cwiseQuotient(scale)};
+}
+
+/// Shortens a step to the limits.
+Vec6 limited(const Vec6& dX, const NewtonLimits& limits) {
+    const double longest = dX.head<3>().norm() / limits.longest_step;
+    const double widest = dX.tail<3>().norm() / limits.widest_turn;
+    return dX / std::max({1.0, longest, widest});
+}
+
+[[noreturn]] void fail(const StaticPlatform& platform, const Equilibrium& at, const Vec6& r,
+                       const NewtonStep& step) {
+    Vec6 relative = r.cwiseAbs();
+    relative.tail<3>() /= platform.length;
+    int worst = 0;
+    relative.maxCoeff(&worst);
+    const bool rotates = worst >= 3;
+    const bool unheld = std::abs(step.unheld[worst]) > 0.5 * std::abs(r[worst]);
+    const std::string cause =
+        unheld ? fmt::format(
+                     "nothing holds the platform in {} against a mean load; add lines or "
+                     "stiffness, or leave the load out of analysis.statics.loads",
+                     motion_names[static_cast<std::size_t>(worst)])
+               : std::string(
+                     "mean loads beyond what the lines can hold, a platform that does not "
+                     "stand upright, or a mass that does not float");
+    throw RunError(
+        ExitCode::no_equilibrium,
+        fmt::format("{}: no static equilibrium after {} iterations: {} is out of balance by {:.3g} "
+                    "{} at surge {:.2f} m, sway {:.2f} m, heave {:.2f} m, roll {:.2f} deg, pitch "
+                    "{:.2f} deg, yaw {:.2f} deg; likely cause: {}",
+                    platform.name, at.iterations, motion_names[static_cast<std::size_t>(worst)],
+                    r[worst], rotates ? "N.m" : "N", at.pose.position.x(), at.pose.position.y(),
+                    at.pose.position.z(), at.pose.angles.x() * 180 / M_PI,
+                    at.pose.angles.y() * 180 / M_PI, at.pose.angles.z() * 180 / M_PI, cause));
+}
+
+}  // namespace
+
+Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
+                             const PlatformMotion& start, bool current, const NewtonLimits& limits,
+                             const std::function<std::string(const Status&)>& describe) {
+    constexpr int most_halvings = 6;
+    Equilibrium at{.pose = start, .lines = {}};
+    at.lines = lines_at(lines, start, current, describe);
+    for (;; ++at.iterations) {
+        const Vec6 r = platform.load(at.pose) + total_wrench(at.lines);
+        Mat6 K = platform.stiffness(at.pose);
+        for (const LineLoad& line : at.lines.lines) K += line.stiffness;
+        const NewtonStep step = newton_step(K, r, platform.length);
+        at.force = r.head<3>().norm();
+        at.moment = r.tail<3>().norm();
+        const bool balanced = at.force <= limits.tolerance * platform.force &&
+                              at.moment <= limits.tolerance * platform.force * platform.length;
+        if (balanced && step.dX.head<3>().norm() <= limits.tolerance &&
+            step.dX.tail<3>().norm() <= limits.tolerance)
+            return at;
+        const bool stuck = !balanced && step.dX.head<3>().norm() <= limits.tolerance &&
+                           step.dX.tail<3>().norm() <= limits.tolerance;
+        if (at.iterations == limits.max_iterations || stuck || !step.dX.allFinite())
+            fail(platform, at, r, step);
+
+        Vec6 dX = limited(step.dX, limits);
+        PlatformMotion moved = displaced(at.pose, dX);
+        const Reply* reply = &ask(lines, moved, current);
+        for (int half = 0; !reply->status.ok() && half < most_halvings; ++half) {
+            dX /= 2;
+            moved = displaced(at.pose, dX);
+            reply = &ask(lines, moved, current);
+        }
+        if (!reply->status.ok()) throw RunError(ExitCode::no_equilibrium, describe(reply->status));
+        at.pose = moved;
+        at.lines = *reply;
+    }
+}
+
+Reply lines_at(Lines& lines, const PlatformMotion& pose, bool current,
+               const std::function<std::string(const Status&)>& describe) {
+    const Reply& reply = ask(lines, pose, current);
+    if (!reply.status.ok()) throw RunError(ExitCode::no_equilibrium, describe(reply.status));
+    return reply;
+}
+
+}  // namespace hawser::master

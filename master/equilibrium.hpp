@@ -1,0 +1,55 @@
+// Where platform and lines rest together under the mean loads: Newton's method on the platform's
+// six coordinates with the lines' own reactions and stiffness. R section 9.1.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "lines.hpp"
+
+namespace hawser::master {
+
+/// What the equilibrium needs of the platform.
+struct StaticPlatform {
+    std::string name;
+    std::function<Vec6(const PlatformMotion&)> load;  ///< all but the lines [N, N.m about O]
+    std::function<Mat6(const PlatformMotion&)>
+        stiffness;       ///< -d(load)/d(position, rotation vector)
+    double force = 1.0;  ///< scale of its loads, e.g. the weight [N]
+    double length =
+        1.0;  ///< lever arm that makes its rotations lengths, e.g. radius of gyration [m]
+};
+
+struct NewtonLimits {
+    double tolerance = 1e-6;  ///< correction [m, rad]; load out of balance per `force`, `length`
+    int max_iterations = 200;
+    double longest_step = 5.0;  ///< [m] in one iteration
+    double widest_turn = 0.05;  ///< [rad] in one iteration
+};
+
+struct Equilibrium {
+    PlatformMotion pose;
+    Reply lines;  ///< at that pose, with stiffness
+    int iterations = 0;
+    double force = 0.0, moment = 0.0;  ///< out of balance [N, N.m]
+};
+
+/// Solves load(pose) + sum of the lines' wrenches = 0:
+///
+///     (K + sum S) dX = load + sum f,     pose <- pose moved by dX
+///
+/// until the correction and what is out of balance are both within the tolerance. A direction in
+/// which nothing holds the platform keeps its place. A line that fails at the new pose is tried
+/// again at half the step.
+/// @param current  with (true) or without current on the lines
+/// @param describe words for a failing line
+/// Throws RunError (no_equilibrium) with the reason.
+Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
+                             const PlatformMotion& start, bool current, const NewtonLimits& limits,
+                             const std::function<std::string(const Status&)>& describe);
+
+/// The lines' static loads with the platform held at a pose. Throws RunError (no_equilibrium).
+Reply lines_at(Lines& lines, const PlatformMotion& pose, bool current,
+               const std::function<std::string(const Status&)>& describe);
+
+}  // namespace hawser::master

@@ -144,6 +144,20 @@ TEST(WaveComponents, DifferenceFrequenciesAreNotOnAComb) {
     }
 }
 
+// The mean of 100 unit vectors of random direction is 0.1 long; three times that is exceeded once
+// in 8000 seeds.
+TEST(WaveComponents, PhasesAreRandom) {
+    for (const Discretisation discretisation : both) {
+        double x = 0.0, y = 0.0;
+        for (const WaveComponent& c :
+             wave_components(paper_train(discretisation), depth, gravity)) {
+            x += std::cos(c.phase) / 100.0;
+            y += std::sin(c.phase) / 100.0;
+        }
+        EXPECT_LT(std::hypot(x, y), 0.3);
+    }
+}
+
 TEST(WaveComponents, FollowFromTheSeedAlone) {
     for (const Discretisation discretisation : both) {
         const auto once = wave_components(paper_train(discretisation), depth, gravity);

@@ -157,6 +157,21 @@ TEST(WaveField, FilterDropsAComponentBelowItsWavelengths) {
     }
 }
 
+// Between the depths of two wavelengths only the longer wave is left, also where both are summed
+// side by side.
+TEST(WaveField, FilterKeepsTheLongerOfTwoWaves) {
+    const double h = 1500.0;
+    const WaveComponent longer = component(1.0, std::sqrt(g * 2.0 * pi / 104.0), h);
+    const WaveComponent shorter = component(1.0, std::sqrt(g * 2.0 * pi / 100.0), h, 1.0);
+    const WaveField::Settings filter{
+        .depth = h, .depth_filter = 1.0, .stretching = Stretching::none};
+    const WaveSample two = WaveField({longer, shorter}, filter).sample(1.0, 1.0, 0.0, 0.0, -102.0);
+    const WaveSample one = WaveField({longer}, filter).sample(1.0, 1.0, 0.0, 0.0, -102.0);
+    EXPECT_EQ(two.ux, one.ux);
+    EXPECT_EQ(two.az, one.az);
+    EXPECT_NE(one.ux, 0.0);
+}
+
 // Each component left out has a depth factor below e^(-2 pi) = 0.0019, so at any depth the filter
 // changes u by less than that times the sum of their A w, and a by that times A w^2. The elevation
 // above the point keeps all components.

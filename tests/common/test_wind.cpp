@@ -100,6 +100,18 @@ TEST(WindField, GustsAreRampedAndTheMeanIsNot) {
     EXPECT_NE(full.speed(200.0), full.mean_speed());
 }
 
+// The mean of 200 unit vectors of random direction is 1/sqrt(200) = 0.07 long; three times that is
+// exceeded once in 8000 seeds.
+TEST(WindField, PhasesAreRandom) {
+    double x = 0.0, y = 0.0;
+    const WindField wind(paper_wind, 0.0, 30.0);
+    for (const GustComponent& g : wind.components()) {
+        x += std::cos(g.phase) / 200.0;
+        y += std::sin(g.phase) / 200.0;
+    }
+    EXPECT_LT(std::hypot(x, y), 0.21);
+}
+
 TEST(WindField, FollowsFromItsSeed) {
     Wind other = paper_wind;
     EXPECT_EQ(WindField(paper_wind, 0.0, 30.0).speed(77.0),

@@ -1,0 +1,75 @@
+// The result of a run: at its end, also after a failure or a stop, rank 0 joins the segments into
+// result.h5 and adds what does not depend on time. Paths and shapes: README.md, "Results".
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case/case.hpp"
+#include "io/hdf5.hpp"
+#include "ledger.hpp"
+#include "statistics.hpp"
+
+namespace hawser::io {
+
+/// The common equilibrium from which the run started.
+struct StaticState {
+    std::optional<PlatformMotion> platform;
+    std::vector<double> end_a_tension;  ///< effective, per line [N]; may be empty
+};
+
+/// A number worth keeping, for people and for /performance.
+struct Fact {
+    std::string name, units, description;
+    double value = 0.0;
+};
+
+/// What rank 0 knows about a run when it ends.
+struct RunRecord {
+    Case input;
+    std::string resolved;                                      ///< text of the case as run
+    std::vector<std::pair<std::string, std::string>> sources;  ///< file name, text
+    std::string version, build, command;
+    int ranks = 1;
+    bool complete = false;  ///< false: stopped or failed on the way
+    std::string outcome;    ///< one line for people: "done", or what went wrong
+    std::optional<StaticState> statics;
+    std::optional<LedgerTable> ledger;  ///< of the platform
+    std::vector<Fact> platform;         ///< mass, acting buoyancy, GM, periods; for the summary
+    std::vector<Fact> performance;      ///< `name` as in /performance/<name>; times in s
+};
+
+/// Statistics of one recorded channel.
+struct ChannelStatistics {
+    std::string channel;  ///< e.g. platform/spar/surge, line/ml1/end_a/effective_tension
+    std::string units;
+    Statistics values;
+};
+
+/// State of one line at the start, from the records of t = 0; NaN where they were not recorded.
+struct LineStart {
+    double end_a_tension, end_b_tension;          ///< effective [N]
+    double end_a_declination, end_b_declination;  ///< [deg]
+    double grounded;  ///< length on the seabed, between nodes that touch it [m]
+};
+
+/// What the joined result tells the summary.
+struct ResultDigest {
+    std::vector<ChannelStatistics> statistics;
+    std::vector<LineStart> lines;
+    double last_time = 0.0;  ///< of the samples [s]
+    std::int64_t samples = 0, snapshots = 0;
+};
+
+/// Writes folder/result.h5 from the segments there: to result.h5.part, synced, renamed; then the
+/// segments are deleted. Rank 0 alone. After a failure the segments are still there.
+ResultDigest write_result(const std::filesystem::path& folder, const RunRecord& record);
+
+/// Statistics of motions, environment and end tensions, t >= from [s].
+std::vector<ChannelStatistics> result_statistics(const Hdf5File& result, const Case& input,
+                                                 double from);
+
+}  // namespace hawser::io

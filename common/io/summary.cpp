@@ -1,0 +1,256 @@
+#include "io/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "io/files.hpp"
+#include "io/result_fields.hpp"
+
+namespace hawser::io {
+namespace {
+
+constexpr double degrees = 180.0 / 3.14159265358979323846;
+
+/// A number in a column of a table; a dash where there is none.
+std::string cell(double x, int width, int decimals) {
+    if (!std::isfinite(x)) return fmt::format("{:>{}}", "-", width);
+    if (std::abs(x) < 0.5 * std::pow(10.0, -decimals)) x = 0.0;  // no "-0.0"
+    return fmt::format("{:>{}.{}f}", x, width, decimals);
+}
+
+std::string heading(std::string_view text) {
+    return fmt::format("\n{}\n{}\n", text, std::string(text.size(), '-'));
+}
+
+std::size_t widest(std::size_t least, const std::vector<std::string>& names) {
+    for (const std::string& name : names) least = std::max(least, name.size());
+    return least;
+}
+
+std::string environment_text(const Case& input) {
+    const Environment& e = input.environment;
+    std::string out = heading("Environment");
+    out += fmt::format("water depth {:g} m, density {:g} kg/m3, gravity {:g} m/s2\n",
+                       e.seabed.depth, e.water.density, e.water.gravity);
+    for (const WaveTrain& w : e.waves) {
+        if (w.type == WaveType::airy) {
+            out += fmt::format("regular wave: H {:g} m, T {:g} s, towards {:g} deg\n", w.H, w.T,
+                               degrees * w.heading);
+        } else {
+            out +=
+                fmt::format("{}: Hs {:g} m, Tp {:g} s, towards {:g} deg, {} components, seed {}\n",
+                            w.type == WaveType::jonswap ? "JONSWAP" : "Pierson-Moskowitz", w.Hs,
+                            w.Tp, degrees * w.heading, w.components, w.seed);
+        }
+    }
+    if (e.waves.empty()) out += "still water\n";
+    if (e.current && !e.current->profile.empty()) {
+        out += fmt::format("current: {:g} m/s at the surface, towards {:g} deg\n",
+                           e.current->profile.front().speed, degrees * e.current->heading);
+    }
+    if (e.wind) {
+        out += fmt::format("wind: {:g} m/s at {:g} m ({:g} s mean), towards {:g} deg, {}\n",
+                           e.wind->speed, e.wind->reference_height, e.wind->averaging,
+                           degrees * e.wind->heading,
+                           e.wind->spectrum == WindSpectrum::npd ? "NPD gusts" : "constant");
+    }
+    return out;
+}
+
+std::string platform_text(const RunRecord& record) {
+    if (!record.input.platform) return "";
+    std::string out = heading("Platform " + record.input.platform->name);
+    std::vector<std::string> names;
+    for (const Fact& fact : record.platform) names.push_back(fact.description);
+    const std::size_t width = widest(0, names);
+    for (const Fact& fact : record.platform) {
+        out +=
+            fmt::format("{:<{}}  {:>12.6g} {}\n", fact.description, width, fact.value, fact.units);
+    }
+    if (record.statics && record.statics->platform) {
+        const Vec3 x = record.statics->platform->position;
+        const Vec3 q = degrees * record.statics->platform->angles;
+        out += fmt::format(
+            "equilibrium under the mean loads: surge {:.2f}, sway {:.2f}, heave {:.2f} m, roll "
+            "{:.2f}, pitch {:.2f}, yaw {:.2f} deg\n",
+            x[0] + 0.0, x[1] + 0.0, x[2] + 0.0, q[0] + 0.0, q[1] + 0.0, q[2] + 0.0);
+    }
+    return out;
+}
+
+std::string lines_text(const RunRecord& record, const ResultDigest& digest) {
+    const Case& input = record.input;
+    if (input.lines.empty()) return "";
+    std::string out = heading("Lines at the start");
+    std::vector<std::string> names, families;
+    for (const Line& line : input.lines)
+        names.push_back(line.name), families.push_back(line.family);
+    const std::size_t name = widest(4, names), family = widest(6, families);
+    out += fmt::format("{:<{}}  {:<{}} {:>10} {:>10} {:>10} {:>10} {:>8} {:>8} {:>9}\n", "", name,
+                       "", family, "length", "submerged", "tension", "tension", "angle", "angle",
+                       "on the");
+    out +=
+        fmt::format("{:<{}}  {:<{}} {:>10} {:>10} {:>10} {:>10} {:>8} {:>8} {:>9}\n", "line", name,
+                    "family", family, "", "weight", "end A", "end B", "end A", "end B", "seabed");
+    out += fmt::format("{:<{}}  {:<{}} {:>10} {:>10} {:>10} {:>10} {:>8} {:>8} {:>9}\n", "", name,
+                       "", family, "m", "kN", "kN", "kN", "deg", "deg", "m");
+    for (std::size_t i = 0; i < input.lines.size(); ++i) {
+        const Line& line = input.lines[i];
+        const LineStart& s = digest.lines.at(i);
+        out += fmt::format("{:<{}}  {:<{}} {}{}{}{}{}{}{}\n", line.name, name, line.family, family,
+                           cell(line.length(), 10, 1),
+                           cell(submerged_weight(line, input) / 1e3, 11, 1),
+                           cell(s.end_a_tension / 1e3, 11, 1), cell(s.end_b_tension / 1e3, 11, 1),
+                           cell(s.end_a_declination, 9, 2), cell(s.end_b_declination, 9, 2),
+                           cell(s.grounded, 10, 1));
+    }
+    out += "angle: from vertical down, of the line as it leaves end A and as it arrives at end B\n";
+    return out;
+}
+
+std::string statistics_text(const RunRecord& record, const ResultDigest& digest) {
+    std::string out =
+        heading(fmt::format("Statistics from {:g} s to {:g} s",
+                            record.input.analysis.dynamics.statistics_from, digest.last_time));
+    std::vector<std::string> names;
+    for (const ChannelStatistics& row : digest.statistics) names.push_back(row.channel);
+    const std::size_t width = widest(7, names);
+    out += fmt::format("{:<{}} {:>4} {:>11} {:>10} {:>11} {:>9} {:>11} {:>9} {:>8}\n", "channel",
+                       width, "unit", "mean", "std", "min", "at s", "max", "at s", "Tz s");
+    for (const ChannelStatistics& row : digest.statistics) {
+        const Statistics& s = row.values;
+        const bool force = row.units == "N";
+        const double scale = force ? 1e-3 : 1.0;
+        const int decimals = force ? 1 : 3;
+        out += fmt::format("{:<{}} {:>4} {} {} {} {} {} {} {}\n", row.channel, width,
+                           force ? "kN" : row.units, cell(scale * s.mean, 11, decimals),
+                           cell(scale * s.std, 10, decimals), cell(scale * s.min, 11, decimals),
+                           cell(s.t_min, 9, 1), cell(scale * s.max, 11, decimals),
+                           cell(s.t_max, 9, 1), cell(s.tz, 8, 2));
+    }
+    if (!digest.statistics.empty() && digest.statistics.front().values.n == 0) {
+        out += "the run ended before the statistics begin\n";
+    }
+    return out;
+}
+
+std::string ledger_text(const LedgerTable& ledger) {
+    std::string out =
+        heading(fmt::format("Load ledger: means from {:g} s to {:g} s", ledger.from, ledger.to));
+    const std::size_t width = widest(19, ledger.components);
+    out += fmt::format("{:<{}} {:>12} {:>12} {:>12} {:>14} {:>14} {:>14}\n", "", width, "surge kN",
+                       "sway kN", "heave kN", "roll kN.m", "pitch kN.m", "yaw kN.m");
+    const auto row = [&](const std::string& name, const Vec6& v) {
+        out +=
+            fmt::format("{:<{}} {} {} {} {} {} {}\n", name, width, cell(v[0] / 1e3, 12, 2),
+                        cell(v[1] / 1e3, 12, 2), cell(v[2] / 1e3, 12, 2), cell(v[3] / 1e3, 14, 1),
+                        cell(v[4] / 1e3, 14, 1), cell(v[5] / 1e3, 14, 1));
+    };
+    for (std::size_t k = 0; k < ledger.components.size(); ++k) {
+        row(ledger.components[k], ledger.mean[k]);
+    }
+    row("sum", ledger.sum);
+    row("mass x acceleration", ledger.momentum);
+    row("residual", ledger.residual);
+    out += fmt::format("{:<{}}", "residual, % of largest", width);
+    for (int k = 0; k < 6; ++k) {
+        out += fmt::format(" {}", cell(100.0 * ledger.residual_fraction(k), k < 3 ? 12 : 14, 3));
+    }
+    out +=
+        "\nweight and hydrostatic count as one component; moments are about the reference point\n";
+    return out;
+}
+
+std::string performance_text(const RunRecord& record) {
+    if (record.performance.empty()) return "";
+    std::string out = heading("Where the time went");
+    std::vector<std::string> names;
+    for (const Fact& fact : record.performance) names.push_back(fact.description);
+    const std::size_t width = widest(0, names);
+    for (const Fact& fact : record.performance) {
+        out +=
+            fmt::format("{:<{}}  {:>12.6g} {}\n", fact.description, width, fact.value, fact.units);
+    }
+    return out;
+}
+
+std::string limits_text(const Case& input) {
+    std::string out = heading("What the physics leaves out");
+    if (input.platform) {
+        out +=
+            "platform: constant added mass and radiation damping (no memory); no wave drift "
+            "damping; "
+            "no effect of current on drift\n"
+            "          and radiation; no Munk moment; slow drift by Newman's approximation; rigid "
+            "hull\n";
+    }
+    if (!input.lines.empty()) {
+        out +=
+            "lines:    no torsion; no friction on the seabed; no contact between lines; no "
+            "vortex-induced vibration;\n"
+            "          linear material (polyester: two moduli and one relaxation time)\n";
+    }
+    out += "sea:      linear waves, unidirectional; flat seabed\n";
+    return out;
+}
+
+}  // namespace
+
+double submerged_weight(const Line& line, const Case& input) {
+    const Water& water = input.environment.water;
+    double mass = 0.0;
+    for (const Section& section : line.sections) {
+        const LineType& type = input.line_types[static_cast<std::size_t>(section.type)];
+        mass += section.length * (type.mass - water.density * type.displaced_area);
+    }
+    for (const Attachment& a : line.attachments) mass += a.mass - water.density * a.volume;
+    return mass * water.gravity;
+}
+
+std::string summary_text(const RunRecord& record, const ResultDigest& digest) {
+    const Case& input = record.input;
+    std::string out = input.title.empty() ? input.name : input.title;
+    out += fmt::format("\n{}\n", std::string(out.size(), '='));
+    out += fmt::format("case {}, hawser {}, {} rank{}\n", input.name, record.version, record.ranks,
+                       record.ranks == 1 ? "" : "s");
+    out += fmt::format("{}: {}\n", record.complete ? "complete" : "NOT COMPLETE", record.outcome);
+    const Dynamics& d = input.analysis.dynamics;
+    out += fmt::format(
+        "simulated to {:g} s of {:g} s, {} samples, {} snapshots; platform step "
+        "{:g} s, rod step {:g} s\n",
+        digest.last_time, d.duration, digest.samples, digest.snapshots, d.platform_step,
+        d.line_step);
+    out += environment_text(input);
+    out += platform_text(record);
+    out += lines_text(record, digest);
+    out += statistics_text(record, digest);
+    if (record.ledger) out += ledger_text(*record.ledger);
+    out += performance_text(record);
+    out += limits_text(input);
+    return out;
+}
+
+std::string statistics_csv(const std::vector<ChannelStatistics>& statistics) {
+    std::string out = "channel,unit,n,mean,std,min,t_min,max,t_max,skewness,kurtosis,tz\n";
+    for (const ChannelStatistics& row : statistics) {
+        const Statistics& s = row.values;
+        out += fmt::format("{},{},{}", row.channel, row.units, s.n);
+        for (const double x :
+             {s.mean, s.std, s.min, s.t_min, s.max, s.t_max, s.skewness, s.kurtosis, s.tz}) {
+            out += std::isfinite(x) ? fmt::format(",{}", x) : ",";
+        }
+        out += '\n';
+    }
+    return out;
+}
+
+void write_summary(const std::filesystem::path& folder, const RunRecord& record,
+                   const ResultDigest& digest) {
+    write_atomically(folder / "summary.txt", summary_text(record, digest));
+    write_atomically(folder / "statistics.csv", statistics_csv(digest.statistics));
+}
+
+}  // namespace hawser::io

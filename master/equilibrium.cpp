@@ -93,11 +93,9 @@ Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
         at.moment = r.tail<3>().norm();
         const bool balanced = at.force <= limits.tolerance * platform.force &&
                               at.moment <= limits.tolerance * platform.force * platform.length;
-        if (balanced && step.dX.head<3>().norm() <= limits.tolerance &&
-            step.dX.tail<3>().norm() <= limits.tolerance)
-            return at;
-        const bool stuck = !balanced && step.dX.head<3>().norm() <= limits.tolerance &&
-                           step.dX.tail<3>().norm() <= limits.tolerance;
+        const double correction = std::max(step.dX.head<3>().norm(), step.dX.tail<3>().norm());
+        if (balanced && correction <= limits.tolerance) return at;
+        const bool stuck = !balanced && correction <= 1e-3 * limits.tolerance;
         if (at.iterations == limits.max_iterations || stuck || !step.dX.allFinite())
             fail(platform, at, r, step);
 

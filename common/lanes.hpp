@@ -11,6 +11,11 @@ namespace hawser {
 template <int N>
 struct LaneRegisters;
 template <>
+struct LaneRegisters<1> {
+    using Doubles = double __attribute__((vector_size(8)));
+    using Integers = int64_t __attribute__((vector_size(8)));
+};
+template <>
 struct LaneRegisters<2> {
     using Doubles = double __attribute__((vector_size(16)));
     using Integers = int64_t __attribute__((vector_size(16)));
@@ -97,27 +102,9 @@ inline bool any(LaneMask<N> m) {
     return on != 0;
 }
 
-// One lane: the same words for double, so that kernels are written once.
-[[gnu::always_inline]] inline double select(bool m, double a, double b) { return m ? a : b; }
-[[gnu::always_inline]] inline double sqrt(double a) { return std::sqrt(a); }
-[[gnu::always_inline]] inline double abs(double a) { return std::abs(a); }
-[[gnu::always_inline]] inline double max(double a, double b) { return a > b ? a : b; }
-[[gnu::always_inline]] inline double min(double a, double b) { return a < b ? a : b; }
-inline bool any(bool m) { return m; }
-
-/// Lane access that works for double and for Lanes<N>.
+/// A value type's lanes, seen from code that is written for any V.
 template <class V>
 struct LaneTraits;
-template <>
-struct LaneTraits<double> {
-    using Mask = bool;
-    static constexpr int count = 1;
-    static double get(double v, int) { return v; }
-    static void set(double& v, int, double x) { v = x; }
-    static bool get(bool m, int) { return m; }
-    static void set(bool& m, int, bool on) { m = on; }
-    static constexpr bool none() { return false; }
-};
 template <int N>
 struct LaneTraits<Lanes<N>> {
     using Mask = LaneMask<N>;

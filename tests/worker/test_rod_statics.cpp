@@ -1,0 +1,166 @@
+// Statics of rods against closed forms and published tables (validation rows A1, A2, A4, A5).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rod/catenary.hpp"
+#include "rod_cases.hpp"
+
+namespace hawser::worker {
+namespace {
+
+using namespace testing;
+
+TEST(Catenary, AgreesWithThePublishedAnchorLine) {  // validation row A1: x, z, L, EA, w = 400, 200,
+                                                    // 500, 7.51e12, 800
+    std::vector<CatenaryElement> elements(
+        40, {.length = 12.5, .EA = 7.51e12, .weight_wet = 800, .weight_dry = 800});
+    const Catenary c = solve_catenary(elements, {400, 0, -200}, {0, 0, 0}, true);
+    ASSERT_TRUE(c.found);
+    EXPECT_NEAR(c.horizontal, 96643.428, 96643.428 * 1e-4);
+    EXPECT_NEAR(c.vertical_a, 237751.755, 237751.755 * 1e-4);
+    EXPECT_NEAR(c.grounded, 202.8103, 0.02);
+}
+
+TEST(Catenary, AgreesWithThePublishedLineClearOfTheBed) {  // validation row A1c, w = 200
+    std::vector<CatenaryElement> elements(
+        40, {.length = 12.5, .EA = 7.51e12, .weight_wet = 200, .weight_dry = 200});
+    const Catenary c = solve_catenary(elements, {400, 0, -200}, {0, 0, 0}, false);
+    ASSERT_TRUE(c.found);
+    EXPECT_NEAR(c.horizontal, 43694.58, 43694.58 * 1e-4);
+    EXPECT_NEAR(c.vertical_a, 77634.40, 77634.40 * 1e-4);
+}
+
+TEST(RodStatics, SettlesOnTheAnchorLineOfThePublishedCatenary) {  // validation row A1, bar 0.1 %
+                                                                  // with 40 elements
+    LineType type = plain_type(800 / 9.80665, 7.51e12);
+    type.outer_diameter = 0.0;
+    Case input = one_line(type, 500, 40, fixed_at({0, 0, 0}), anchored_at({400, 0, -200}), 200);
+    input.environment.seabed.normal_stiffness = 1e6;
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    const Vec3 f = rod.force_on_support_a(0);
+    EXPECT_NEAR(f.x(), 96643.428, 96643.428 * 1e-3);
+    EXPECT_NEAR(-f.z(), 237751.755, 237751.755 * 1e-3);
+}
+
+/// Reference line of validation row A2: chain 122 m, polyester 2286 m, chain 91 m, no bed contact.
+Case reference_line(double span) {
+    LineType chain = plain_type(588.7, 3.07119e9), rope = plain_type(66.0, 7.0632e8);
+    chain.displaced_area = M_PI / 4 * 0.3096 * 0.3096;
+    rope.displaced_area = M_PI / 4 * 0.2474 * 0.2474;
+    Case input = one_line(chain, 91, 4, fixed_at({0, 0, -50}), fixed_at({span, 0, -1500}), 3000);
+    input.line_types.push_back(rope);
+    input.lines[0].sections = {{.type = 0, .length = 91, .elements = 4},
+                               {.type = 1, .length = 2286, .elements = 32},
+                               {.type = 0, .length = 122, .elements = 6}};
+    return input;
+}
+
+TEST(RodStatics, ThreePartLineAgreesWithTheClosedForm) {  // validation row A2, tolerance 0.05 %
+    struct Row {
+        double X, H, V_top, T_top, T_anchor;
+    };
+    const std::vector<Row> rows = {{2025, 1188.4693, 1515.3168, 1925.7841, 1190.6384},
+                                   {2040, 2026.9211, 2100.6325, 2919.0865, 2130.7883},
+                                   {2060, 5144.7188, 4276.9648, 6690.3333, 5873.3949},
+                                   {2080, 9113.4862, 7007.5611, 11496.1535, 10677.7634}};
+    for (const Row& row : rows) {
+        const Case input = reference_line(row.X);
+        const Sea sea = still_sea(input);
+        RodPack<Quad> rod(input, sea, {0});
+        ASSERT_TRUE(rod.equilibrium({}, false).ok()) << row.X;
+        const Vec3 f = rod.force_on_support_a(0);
+        EXPECT_NEAR(f.x(), row.H * 1e3, row.H * 0.5) << row.X;
+        EXPECT_NEAR(-f.z(), row.V_top * 1e3, row.V_top * 0.5) << row.X;
+        EXPECT_NEAR(rod.tension_a(0), row.T_top * 1e3, row.T_top * 0.5) << row.X;
+        EXPECT_NEAR(rod.tension_b(0), row.T_anchor * 1e3, row.T_anchor * 0.5) << row.X;
+    }
+}
+
+TEST(RodStatics, ElasticCatenaryConvergesAndKeepsTheExactStretchLaw) {
+    // R:6 at about 1 % and 5 % strain against Irvine's closed form; 16 elements leave less than
+    // 1e-7
+    for (const double EA : {7.06e8, 1.5e8}) {
+        Case input = one_line(plain_type(200 / 9.80665, EA), 2286, 16, fixed_at({0, 0, 0}),
+                              fixed_at({1900, 0, -1300}));
+        input.environment.water.density = 0.0;
+        const Sea sea = still_sea(input);
+        RodPack<Quad> rod(input, sea, {0});
+        ASSERT_TRUE(rod.equilibrium({}, false).ok());
+        std::vector<CatenaryElement> elements(
+            1, {.length = 2286, .EA = EA, .weight_wet = 200, .weight_dry = 200});
+        const Catenary c = solve_catenary(elements, {1900, 0, -1300}, {0, 0, 0}, false);
+        const double T = std::hypot(c.horizontal, c.vertical_a);
+        EXPECT_NEAR(rod.tension_a(0), T, 1e-7 * T) << EA;
+    }
+}
+
+/// Straight start from the root at A: direction u, all slopes along it.
+std::vector<CatenaryNode> straight(const Vec3& root, const Vec3& u, double length, int elements,
+                                   double tension) {
+    std::vector<CatenaryNode> nodes;
+    for (int n = elements; n >= 0; --n)
+        nodes.push_back(
+            {.position = root + u * length * n / elements, .tangent = -u, .tension = tension});
+    return nodes;
+}
+
+TEST(RodStatics, CantileverElasticaReachesTheTabulatedTip) {  // validation row A4
+    struct Row {
+        double load, x, w;
+    };
+    for (const Row row : {Row{1, .94357, .30172}, Row{2, .83936, .49346}, Row{5, .61237, .71379},
+                          Row{10, .44500, .81061}}) {
+        // Root clamped at end A, a point mass at the free end B; the rod's own weight is negligible
+        const double L = 10.0, EI = 1e6;
+        LineEnd a = fixed_at({0, 0, 1000}, Joint::clamped);
+        a.direction = Vec3(1, 0, 0);
+        Case input = one_line(plain_type(1e-9, 1e11, EI), L, 16, a, LineEnd{});
+        input.lines[0].attachments = {{.arc_length = L, .mass = row.load * EI / (L * L) / 9.80665}};
+        const Sea sea = still_sea(input);
+        RodPack<Quad> rod(input, sea, {0});
+        rod.set_guess(0, straight({0, 0, 1000}, {1, 0, 0}, L, 16, 1.0));
+        ASSERT_TRUE(rod.equilibrium({}, false).ok()) << row.load;
+        const Vec3 tip = rod.node_position(0, 16) - Vec3(0, 0, 1000);
+        EXPECT_NEAR(tip.x() / L, row.x, 2e-5) << row.load;  // mesh 1e-5, table five digits
+        EXPECT_NEAR(-tip.z() / L, row.w, 2e-5) << row.load;
+    }
+}
+
+TEST(RodStatics, EndMomentClosesTheRodToACircle) {  // validation row A5, 16 elements
+    const double L = 10.0, EI = 1e6, radius = L / (2 * M_PI);
+    LineEnd a = fixed_at({0, 0, 1000}, Joint::clamped), b = a;
+    a.direction = b.direction = Vec3(1, 0, 0);
+    Case input = one_line(plain_type(1e-9, 1e11, EI), L, 16, a, b);
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0});
+    std::vector<CatenaryNode> nodes;
+    for (int n = 16; n >= 0; --n) {  // an oval to start from
+        const double p = 2 * M_PI * n / 16;
+        nodes.push_back({.position = Vec3(0.8 * radius * std::sin(p), 0,
+                                          1000 - 1.2 * radius * (1 - std::cos(p))),
+                         .tangent = -Vec3(0.8 * std::cos(p), 0, -1.2 * std::sin(p)).normalized(),
+                         .tension = -EI / radius / radius});
+    }
+    rod.set_guess(0, nodes);
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    EXPECT_NEAR((rod.node_position(0, 8) - Vec3(0, 0, 1000 - 2 * radius)).norm() / L, 0, 1e-3);
+    EXPECT_NEAR(rod.moment_on_support_a(0).norm(), EI / radius, 0.01 * EI / radius);
+    EXPECT_NEAR(rod.force_on_support_a(0).norm(), 0, 0.01 * EI / radius / radius);
+}
+
+TEST(RodStatics, RefusesTheCompressedStraightRod) {
+    // Newton converges to the straight rod squeezed by 15 %: an equilibrium nobody wants
+    Case input =
+        one_line(plain_type(10, 1e8), 100, 10, fixed_at({0, 0, -50}), fixed_at({85, 0, -50}));
+    input.environment.water.gravity = 1e-9;
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0});
+    rod.set_guess(0, straight({0, 0, -50}, {1, 0, 0}, 85, 10, -1.5e7));
+    EXPECT_EQ(rod.equilibrium({}, false).code, Status::Code::false_equilibrium);
+}
+
+}  // namespace
+}  // namespace hawser::worker

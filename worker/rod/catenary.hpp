@@ -1,0 +1,46 @@
+// Elastic catenary of a line with sections, joints and a flat sea bed: the guess of the rods'
+// statics, and a closed form to test them against. No bending, no current, no friction.
+#pragma once
+
+#include <vector>
+
+#include "vector.hpp"
+
+namespace hawser::worker {
+
+/// A stretch of uniform line between two nodes.
+struct CatenaryElement {
+    double length = 0.0;      ///< unstretched [m]
+    double EA = 0.0;          ///< [N]
+    double weight_wet = 0.0;  ///< submerged weight per unstretched length [N/m]
+    double weight_dry = 0.0;  ///< weight above the water line z = 0 [N/m]
+    double point_weight =
+        0.0;  ///< submerged weight of what hangs on the node at the element's upper end [N]
+};
+
+struct CatenaryNode {
+    Vec3 position = Vec3::Zero();  ///< [m]
+    Vec3 tangent = Vec3::Zero();   ///< unit, towards end A
+    double tension = 0.0;          ///< [N]
+};
+
+struct Catenary {
+    bool found = false;
+    std::vector<CatenaryNode> nodes;  ///< from end B to end A, elements + 1
+    double horizontal = 0.0;          ///< horizontal tension [N]
+    double vertical_a =
+        0.0;                ///< vertical tension at end A, positive when the line hangs from A [N]
+    double grounded = 0.0;  ///< unstretched length on the bed at end B [m]
+};
+
+/// Line from end B at `b` to end A at `a`, elements given from B to A. If `on_bed`, end B lies on
+/// the bed and part of the line may lie there. Unknowns are the horizontal tension H and the
+/// vertical tension at B (or the grounded length); both are found by nested bisection on monotonic
+/// functions.
+Catenary solve_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
+                        bool on_bed);
+
+/// Line that hangs straight down from `a` with its other end free.
+Catenary hang_freely(const std::vector<CatenaryElement>& elements, const Vec3& a);
+
+}  // namespace hawser::worker

@@ -1,0 +1,266 @@
+// Set-up of a pack from the case, motion of its ends, and what can be read from it.
+#include "rod/rod_pack.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "environment/ramp.hpp"
+#include "line_mesh.hpp"
+
+namespace hawser::worker {
+
+namespace {
+
+template <class V>
+Vec3 lane_vector(const Vector<V>& x, int lane) {
+    using T = LaneTraits<V>;
+    return {T::get(x.x, lane), T::get(x.y, lane), T::get(x.z, lane)};
+}
+
+template <class V>
+void set_lane_vector(Vector<V>& to, int lane, const Vec3& x) {
+    using T = LaneTraits<V>;
+    T::set(to.x, lane, x.x()), T::set(to.y, lane, x.y()), T::set(to.z, lane, x.z());
+}
+
+/// Harmonic motion of an end, times the ramp, with its exact derivatives.
+PointMotion harmonic(const EndMotion& motion, double t, double ramp) {
+    const Ramp r = ramp_with_rates(t, ramp);
+    PointMotion out;
+    for (int i = 0; i < 3; ++i) {
+        const double w = 2.0 * M_PI / motion.period[i], a = motion.amplitude[i];
+        const double s = a * std::sin(w * t + motion.phase[i]);
+        const double c = a * w * std::cos(w * t + motion.phase[i]);
+        out.position[i] = r.value * s;
+        out.velocity[i] = r.value * c + r.rate * s;
+        out.acceleration[i] = -r.value * w * w * s + 2.0 * r.rate * c + r.second * s;
+    }
+    return out;
+}
+
+}  // namespace
+
+template <class V>
+RodPack<V>::RodPack(const Case& input, const Sea& sea, std::vector<int> lines)
+    : lines_(std::move(lines)),
+      sea_(&sea),
+      scheme_(input.analysis.dynamics.rod_scheme),
+      bed_{.z = -input.environment.seabed.depth,
+           .stiffness = input.environment.seabed.normal_stiffness,
+           .damping = input.environment.seabed.damping},
+      gravity_(input.environment.water.gravity),
+      water_density_(input.environment.water.density),
+      force_(input.analysis.dynamics.force),
+      ramp_(input.analysis.dynamics.ramp),
+      platform_step_(input.analysis.dynamics.platform_step),
+      wave_step_(input.analysis.dynamics.wave_step),
+      used_(LaneTraits<V>::none()),
+      guessed_(LaneTraits<V>::none()),
+      axis_is_static_a_(LaneTraits<V>::none()),
+      axis_is_static_b_(LaneTraits<V>::none()) {
+    for (Vec6& f : fitted_) f.setZero();
+    set_properties(input);
+    const std::size_t N = properties_.size();
+    const int slabs = static_cast<int>(std::ceil(platform_step_ / wave_step_)) + 3;
+    kept_ = RodState<V>(static_cast<int>(N), slabs);
+    const auto axis = [&](const EndPlace& place, Vector<V>& to, Mask& is_static) {
+        for (int i = 0; i < lanes; ++i) {
+            const LineEnd& end = place.end[static_cast<std::size_t>(i)];
+            set_lane_vector(to, i, end.direction ? Vec3(-*end.direction) : Vec3(Vec3::UnitZ()));
+            LaneTraits<V>::set(is_static, i, end.joint != Joint::ball && !end.direction);
+        }
+    };
+    axis(place_a_, kept_.head().axis_a, axis_is_static_a_);
+    axis(place_b_, kept_.head().axis_b, axis_is_static_b_);
+    kept_.head().h = line_step_;
+    working_ = kept_;
+
+    trial_.resize(N + 1);
+    lambda_.resize(2 * N + 1);
+    material_.resize(N);
+    water_.resize(N * gauss_points);
+    factors_.resize(N);
+    middles_.resize(N);
+    correction_.resize(N + 1);
+    lambda_correction_.resize(N);
+    const std::size_t samples = lines_.size() * N * gauss_points;
+    for (auto* v : {&xs_, &ys_, &zs_, &ux_, &uy_, &uz_, &ax_, &ay_, &az_, &eta_})
+        v->resize(samples);
+}
+
+template <class V>
+void RodPack<V>::set_properties(const Case& input) {
+    using T = LaneTraits<V>;
+    for (int i = 0; i < lanes; ++i) {
+        const bool used = static_cast<std::size_t>(i) < lines_.size();
+        T::set(used_, i, used);
+        const int index = lines_[used ? static_cast<std::size_t>(i) : 0];
+        const Line& line = input.lines[static_cast<std::size_t>(index)];
+        const LineMesh mesh = mesh_of(line);
+        const double travel_time = axial_travel_time(input, line);
+        const int N = mesh.elements();
+        properties_.resize(static_cast<std::size_t>(N));
+        for (int n = 0; n < N; ++n) {  // counted from end B
+            const ElementProperties<double> p =
+                element_properties(input, line, mesh, N - 1 - n, travel_time);
+            ElementProperties<V>& to = properties_[static_cast<std::size_t>(n)];
+            const auto set = [&](V& v, double x) { T::set(v, i, x); };
+            set(to.L, p.L), set(to.B, p.B), set(to.Db, p.Db), set(to.m, p.m);
+            set(to.weight, p.weight), set(to.rhoA, p.rhoA), set(to.buoyancy, p.buoyancy);
+            set(to.ma, p.ma), set(to.ma_less_mt, p.ma_less_mt), set(to.cn, p.cn), set(to.ct, p.ct);
+            set(to.D, p.D), set(to.K_damper, p.K_damper), set(to.c_damper, p.c_damper);
+            set(to.K_creep, p.K_creep), set(to.c_creep, p.c_creep);
+            has_strain_ = has_strain_ || p.c_damper > 0.0 || p.c_creep > 0.0;
+        }
+        masses_.resize(line.attachments.size());
+        for (std::size_t k = 0; k < line.attachments.size(); ++k) {
+            const Attachment& attachment = line.attachments[k];
+            PointMass<V>& to = masses_[k];
+            to.node = N - mesh.attachment_node[k];
+            const double displaced = water_density_ * attachment.volume;
+            T::set(to.mass, i, attachment.mass);
+            T::set(to.displaced, i, displaced);
+            T::set(to.added, i, attachment.Ca * displaced);
+            T::set(to.drag, i, 0.5 * water_density_ * attachment.drag_area);
+            T::set(to.height, i, std::max(0.1, std::cbrt(6.0 * attachment.volume / M_PI)));
+        }
+        std::vector<double> arc(mesh.arc_length.rbegin(), mesh.arc_length.rend());
+        for (double& s : arc) s = mesh.arc_length.back() - s;
+        arc_length_.push_back(std::move(arc));
+        place_a_.end.push_back(line.end_a);
+        place_b_.end.push_back(line.end_b);
+        place_a_.kind = line.end_a.kind;
+        place_b_.kind = line.end_b.kind;
+        T::set(line_step_, i,
+               std::min(line.time_step.value_or(input.analysis.dynamics.line_step),
+                        input.analysis.dynamics.line_step));
+        sheltered_above_.push_back(line.sheltered_above.value_or(1e30));
+    }
+    std::stable_sort(masses_.begin(), masses_.end(),
+                     [](const auto& a, const auto& b) { return a.node < b.node; });
+    set_slope_law(place_a_, law_a_, properties_.back());
+    set_slope_law(place_b_, law_b_, properties_.front());
+}
+
+template <class V>
+void RodPack<V>::set_slope_law(const EndPlace& place, SlopeLaw<V>& law,
+                               const ElementProperties<V>& element) {
+    const Joint joint = place.end.front().joint;
+    if (!place.prescribed() || joint == Joint::ball) return;
+    if (joint == Joint::clamped) {  // much stiffer than the element that it holds
+        law = Clamp<V>{.stiffness = V(4e3) * element.B / element.L};
+        return;
+    }
+    FlexJoint<V> flex;
+    for (int i = 0; i < lanes; ++i)
+        LaneTraits<V>::set(flex.stiffness, i,
+                           place.end[static_cast<std::size_t>(i)].rotational_stiffness);
+    law = flex;
+}
+
+template <class V>
+EndValues<V> RodPack<V>::end_values(const EndPlace& place, const Vector<V>& axis, V t,
+                                    const MotionSpline& platform) const {
+    using T = LaneTraits<V>;
+    EndValues<V> out;
+    if (!place.prescribed()) return out;
+    MotionSpline::Sample sample;
+    Mat3 R = Mat3::Identity();
+    double sampled_at = NAN;
+    for (int i = 0; i < lanes; ++i) {
+        const LineEnd& end = place.end[static_cast<std::size_t>(i)];
+        const double time = T::get(t, i);
+        PointMotion point{.position = end.position};
+        Vec3 k = lane_vector(axis, i);
+        if (end.kind == EndKind::platform) {
+            if (time != sampled_at) {
+                sample = platform.at(time);
+                R = rotation(sample.motion.angles);
+                sampled_at = time;
+            }
+            point = point_motion(sample.motion, sample.acceleration, end.position);
+            k = R * k;
+        } else if (end.motion) {
+            const PointMotion moved = harmonic(*end.motion, time, ramp_);
+            point.position += moved.position;
+            point.velocity = moved.velocity;
+            point.acceleration = moved.acceleration;
+        }
+        set_lane_vector(out.position, i, point.position);
+        set_lane_vector(out.velocity, i, point.velocity);
+        set_lane_vector(out.acceleration, i, point.acceleration);
+        set_lane_vector(out.axis, i, k);
+    }
+    return out;
+}
+
+template <class V>
+Vec6 RodPack<V>::wrench(int lane, const Vec3& reference) const {
+    Vec6 out = Vec6::Zero();
+    if (place_a_.kind != EndKind::platform) return out;
+    const Vec3 force = force_on_support_a(lane);
+    const Vec3 lever = lane_vector(working_.nodes()[properties_.size()].r, lane) - reference;
+    out << force, lever.cross(force) + moment_on_support_a(lane);
+    return out;
+}
+
+template <class V>
+Vec3 RodPack<V>::force_on_support_a(int lane) const {
+    return -lane_vector(working_.head().force_a, lane);
+}
+template <class V>
+Vec3 RodPack<V>::force_on_support_b(int lane) const {
+    return -lane_vector(working_.head().force_b, lane);
+}
+template <class V>
+Vec3 RodPack<V>::moment_on_support_a(int lane) const {
+    return -lane_vector(working_.head().moment_a, lane);
+}
+template <class V>
+Vec3 RodPack<V>::direction_a(int lane) const {
+    return -lane_vector(working_.nodes()[properties_.size()].d, lane).normalized();
+}
+template <class V>
+Vec3 RodPack<V>::direction_b(int lane) const {
+    return -lane_vector(working_.nodes()[0].d, lane).normalized();
+}
+template <class V>
+double RodPack<V>::tension_a(int lane) const {
+    return force_on_support_a(lane).dot(direction_a(lane));
+}
+template <class V>
+double RodPack<V>::tension_b(int lane) const {
+    return -force_on_support_b(lane).dot(direction_b(lane));
+}
+template <class V>
+Vec3 RodPack<V>::node_position(int lane, int n) const {
+    return lane_vector(working_.nodes()[properties_.size() - static_cast<std::size_t>(n)].r, lane);
+}
+
+template <class V>
+Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference) {
+    if (place_a_.kind != EndKind::platform) return Mat6::Zero();
+    using T = LaneTraits<V>;
+    Eigen::Matrix<double, 7, 7> D;
+    for (int i = 0; i < 7; ++i)
+        for (int k = 0; k < 7; ++k) D(i, k) = T::get(last_D_[i][k], lane);
+    Mat3 Ks;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) Ks(i, k) = T::get(slope_load_a_.stiffness(i, k), lane);
+    const NodeState<V>& node = working_.nodes()[properties_.size()];
+    // R:21: a point turns with l x, a slope with r' x
+    Eigen::Matrix<double, 3, 6> B, Bs;
+    B << Mat3::Identity(), -skew(lane_vector(node.r, lane) - reference);
+    Bs << Mat3::Zero(), -skew(lane_vector(node.d, lane));
+    // R:22, R:23: border columns and block, then the elimination of (r', lambda)
+    Eigen::Matrix<double, 4, 6> K = D.bottomLeftCorner<4, 3>() * B;
+    K.topRows<3>() -= Ks * Bs;
+    const Mat6 M = B.transpose() * D.topLeftCorner<3, 3>() * B + Bs.transpose() * Ks * Bs;
+    const Eigen::Matrix4d Dyy = D.bottomRightCorner<4, 4>();
+    return M - K.transpose() * Dyy.inverse() * K;
+}
+
+template class RodPack<Single>;
+template class RodPack<Quad>;
+
+}  // namespace hawser::worker

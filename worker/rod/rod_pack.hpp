@@ -1,0 +1,206 @@
+// Up to four rods of equal layout, one per vector lane, advanced side by side: time steps (section
+// 5 of the rod formulation), passes of the paper's scheme (P:3), statics (section 9). Every lane
+// has its own step, Newton count and status; a lane that is done or has failed is frozen, so that a
+// rod's bits do not depend on its neighbours. No MPI, no files, no allocation in a step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "case/case.hpp"
+#include "constraint/slope_laws.hpp"
+#include "environment/sea.hpp"
+#include "lines.hpp"
+#include "packing.hpp"
+#include "rod/catenary.hpp"
+#include "rod/element.hpp"
+#include "rod/elimination.hpp"
+#include "rod/state.hpp"
+#include "rod/time_scheme.hpp"
+#include "spline.hpp"
+
+namespace hawser::worker {
+
+/// A mass, clump or buoy at a node, per lane.
+template <class V>
+struct PointMass {
+    int node = 0;
+    V mass, displaced, added, drag, height;  ///< [kg], rho V [kg], Ca rho V [kg], 1/2 rho Cd A, [m]
+};
+
+/// Motion of a rod's end and the axis of its joint on world axes, per lane.
+template <class V>
+struct EndValues {
+    Vector<V> position, velocity, acceleration, axis;
+};
+
+/// Work done, for tests and the benchmark.
+struct WorkCount {
+    std::int64_t passes = 0, steps = 0, solves = 0, water_samples = 0;
+    double rod_time = 0.0;  ///< simulated time of all passes [s]
+};
+
+/// Tolerances of the Newton iterations (section 5.3); tests tighten them.
+struct NewtonControl {
+    double tolerance =
+        0.005;  ///< largest nodal position correction that needs no further iteration [m]
+    int max_iterations = 8;
+    int max_halvings = 6;
+};
+
+template <class V>
+class RodPack {
+ public:
+    using Mask = typename LaneTraits<V>::Mask;
+    static constexpr int lanes = LaneTraits<V>::count;
+
+    /// @param lines  indices into Case::lines, one per lane; fewer than `lanes` leave idle copies
+    /// of the first
+    RodPack(const Case& input, const Sea& sea, std::vector<int> lines);
+
+    /// Static solution with the platform at `pose`, in the kept state: a = v = 0, current if asked,
+    /// no waves.
+    Status equilibrium(const PlatformMotion& pose, bool current);
+    /// Shape from which the first static solution starts, instead of a catenary: nodes from end B
+    /// to end A.
+    void set_guess(int lane, const std::vector<CatenaryNode>& nodes);
+    /// One pass from the kept state at t0 to t1 along the spline; the result is the working state.
+    Status pass(double t0, double t1, const MotionSpline& platform);
+    /// The pass that ended last becomes the kept state.
+    void keep();
+
+    /// Load of a lane on the platform about `reference` [N, N.m] in the working state.
+    [[nodiscard]] Vec6 wrench(int lane, const Vec3& reference) const;
+    /// The same as the pass returns it: instantaneous, or the fit of the force over the pass (P:5).
+    [[nodiscard]] const Vec6& pass_wrench(int lane) const {
+        return fitted_[static_cast<std::size_t>(lane)];
+    }
+    /// Effective tension at end A (platform) and at end B in the working state [N]. After keep()
+    /// the working state is the kept one; so it is after equilibrium().
+    [[nodiscard]] double tension_a(int lane) const;
+    [[nodiscard]] double tension_b(int lane) const;
+    /// Unit direction in which the line leaves end A or arrives at end B (increasing arc length).
+    [[nodiscard]] Vec3 direction_a(int lane) const;
+    [[nodiscard]] Vec3 direction_b(int lane) const;
+    [[nodiscard]] Vec3 force_on_support_a(int lane) const;
+    [[nodiscard]] Vec3 force_on_support_b(int lane) const;
+    /// Moment of the end-A joint on the platform [N.m].
+    [[nodiscard]] Vec3 moment_on_support_a(int lane) const;
+    /// Position of node n counted from end A [m].
+    [[nodiscard]] Vec3 node_position(int lane, int n) const;
+    /// Static stiffness about `reference`: -d(wrench)/d(position, rotation vector) [6 x 6], R:25.
+    [[nodiscard]] Mat6 stiffness(int lane, const Vec3& reference);
+
+    [[nodiscard]] const std::vector<int>& lines() const { return lines_; }
+    [[nodiscard]] int elements() const { return static_cast<int>(properties_.size()); }
+    [[nodiscard]] const RodState<V>& kept() const { return kept_; }
+    RodState<V>& kept() { return kept_; }
+    [[nodiscard]] const RodState<V>& state() const { return working_; }
+    [[nodiscard]] const WorkCount& work() const { return work_; }
+    NewtonControl newton;
+
+ private:
+    struct EndPlace {
+        EndKind kind = EndKind::free;
+        std::vector<LineEnd> end;  ///< one per lane
+        [[nodiscard]] bool prescribed() const { return kind != EndKind::free; }
+    };
+    /// Rows of a prescribed end's position, kept for its reaction.
+    struct ReactionRows {
+        V D[3][4], E[3][7], R[3];
+    };
+
+    // rod_pack.cpp: set-up and read-out
+    void set_properties(const Case& input);
+    void set_slope_law(const EndPlace& place, SlopeLaw<V>& law,
+                       const ElementProperties<V>& element);
+    EndValues<V> end_values(const EndPlace& place, const Vector<V>& axis, V t,
+                            const MotionSpline& platform) const;
+
+    // time_step.cpp
+    void attempt_step(Mask active, V h, V t_new, const MotionSpline& platform, Mask& accepted);
+    void predict(const RodState<V>& s, V h);
+    void prepare_material(const RodState<V>& s, V h);
+    void accept(Mask accepted, V h, V t_new);
+    void add_to_fit(int lane, int i, int n, const MotionSpline& platform);
+
+    // solve.cpp
+    void solve(V a0, V a1);
+    void update_trial(Mask iterating, V a0, V a1, V limit, V& correction, V& finite);
+    void add_point_mass(const PointMass<V>& mass, V a0, V a1, V (&D)[7][7], V (&R)[7]) const;
+    void add_slope_law(const SlopeLaw<V>& law, const TrialNode<V>& node, const Vector<V>& axis,
+                       V (&D)[7][7], V (&R)[7], ConstraintLoad<V>& load) const;
+
+    // water.cpp
+    void refresh_water(double until);
+    void sample_slab(double T, std::size_t slab);
+    void interpolate_water(V t);
+    void current_only(bool current);
+    void scatter_water(Water<V>* to);
+
+    // statics.cpp
+    void copy_idle_lanes();
+    Mask guess_lane(int lane, const PlatformMotion& pose);
+    Mask static_newton(const PlatformMotion& pose, bool current, Mask wanted);
+    Mask false_equilibria() const;
+    Status status_of(Mask bad, Status::Code code, double t) const;
+    void finish_statics(Mask good);
+
+    std::vector<int> lines_;
+    const Sea* sea_;
+    TimeScheme scheme_;
+    Bed bed_;
+    double gravity_ = 9.80665, water_density_ = 1025.0;
+    ForceFit force_ = ForceFit::instantaneous;
+    std::array<Vec6, static_cast<std::size_t>(lanes)> fitted_{};
+    double ramp_ = 0.0, platform_step_ = 0.5, wave_step_ = 0.25;
+    V line_step_{};
+    Mask used_;
+    std::vector<double> sheltered_above_;
+    std::vector<std::vector<double>> arc_length_;  ///< per lane, of the nodes from end B to A
+
+    std::vector<ElementProperties<V>> properties_;
+    std::vector<PointMass<V>> masses_;
+    EndPlace place_a_, place_b_;
+    SlopeLaw<V> law_a_, law_b_;
+    bool law_on_ = true;
+    Mask guessed_;  ///< lanes with a guess of their own
+    bool has_strain_ = false, started_ = false, static_ = false;
+    Mask axis_is_static_a_, axis_is_static_b_;
+
+    RodState<V> kept_, working_;
+    std::int64_t wave_index_ = -1;  ///< last grid time j of R:19 that has been sampled
+    PlatformMotion pose_;           ///< of the last static solution
+
+    // Workspace of a step
+    std::vector<TrialNode<V>> trial_;
+    std::vector<V> lambda_;
+    std::vector<Compliance<V>> material_;
+    std::vector<Water<V>> water_;
+    std::vector<NodeFactor<V>> factors_;
+    struct Middle {
+        V column[14], inverse_pivot, R;
+    };
+    std::vector<Middle> middles_;
+    struct Correction {
+        V x[7];
+    };
+    std::vector<Correction> correction_;
+    std::vector<V> lambda_correction_;
+    ElementSystem<V> element_;
+    EndValues<V> end_a_, end_b_;
+    V static_correction_{};
+    Vector<V> reaction_a_, reaction_b_, moment_a_;
+    V last_D_[7][7];  ///< node at end A before its elimination, for the static stiffness
+    V last_R_[7];
+    ConstraintLoad<V> slope_load_a_, slope_load_b_;
+    std::vector<double> xs_, ys_, zs_, ux_, uy_, uz_, ax_, ay_, az_, eta_;
+    WorkCount work_;
+};
+
+/// The value type of a pack, and one rod by itself (for tests).
+using Quad = Lanes<lanes_per_pack>;
+using Single = Lanes<1>;
+
+}  // namespace hawser::worker

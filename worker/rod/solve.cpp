@@ -1,0 +1,185 @@
+// One Newton solve of a pack: assembly fused with the elimination from end B to end A, then the
+// back-substitution: R:20, R:23, R:24, R:26. Here J d = R and the unknowns change by -d.
+#include "rod/rod_pack.hpp"
+
+namespace hawser::worker {
+
+template <class V>
+void RodPack<V>::add_point_mass(const PointMass<V>& mass, V a0, V a1, V (&D)[7][7],
+                                V (&R)[7]) const {
+    const auto n = static_cast<std::size_t>(mass.node);
+    const TrialNode<V>& x = trial_[n];
+    const Water<V>& water = water_[n == 0 ? 0 : n * gauss_points - 1];  // the nearest Gauss point
+    const V W = immersion(water.eta, x.r.z, mass.height, V(0.0));
+    const V g(gravity_);
+    const Vector<V> vr = water.u - x.v;
+    const V speed = sqrt(dot(vr, vr) + V(1e-12));
+    const V drag = W * mass.drag * speed, added = W * mass.added;
+    const Vector<V> f =
+        mass.mass * x.a + added * (x.a - water.ud) - (W * mass.displaced) * water.ud - drag * vr;
+    R[0] += f.x, R[1] += f.y;
+    R[2] += f.z + (mass.mass - W * mass.displaced) * g;
+    Symmetric<V> S = Symmetric<V>::scaled_identity(a0 * (mass.mass + added) + a1 * drag);
+    S.add_outer(a1 * W * mass.drag / speed, vr);
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k <= i; ++k) D[i][k] += S(i, k);
+}
+
+template <class V>
+void RodPack<V>::add_slope_law(const SlopeLaw<V>& law, const TrialNode<V>& node,
+                               const Vector<V>& axis, V (&D)[7][7], V (&R)[7],
+                               ConstraintLoad<V>& out) const {
+    if (std::holds_alternative<NoSlopeLaw>(law) || !law_on_) {
+        out = {};
+        return;
+    }
+    out = std::visit([&](const auto& l) { return load(l, node.d, axis); }, law);
+    R[3] -= out.force.x, R[4] -= out.force.y, R[5] -= out.force.z;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k <= i; ++k) D[3 + i][3 + k] += out.stiffness(i, k);
+}
+
+template <class V>
+void RodPack<V>::solve(V a0, V a1) {
+    const std::size_t N = properties_.size();
+    ++work_.solves;
+    auto mass = masses_.begin();
+    V D[7][7], R[7], D_next[7][7], R_next[7];
+    for (auto& row : D)
+        for (V& x : row) x = V(0.0);
+    for (V& x : R) x = V(0.0);
+    ReactionRows rows_b;
+
+    for (std::size_t e = 0; e < N; ++e) {
+        const V lambda[3] = {lambda_[2 * e], lambda_[2 * e + 1], lambda_[2 * e + 2]};
+        ElementSystem<V>& element = element_;
+        assemble_element(properties_[e], trial_[e], trial_[e + 1], lambda, material_[e],
+                         &water_[e * gauss_points], bed_, a0, a1, element);
+        Middle& middle = middles_[e];
+        for (int i = 0; i < 14; ++i) middle.column[i] = element.column[i];
+        middle.inverse_pivot = element.inverse_pivot;
+        middle.R = element.R_middle;
+        for (int i = 0; i < 7; ++i) {
+            R[i] += element.Ra[i];
+            R_next[i] = element.Rb[i];
+            for (int k = 0; k <= i; ++k) {
+                D[i][k] += element.aa[i][k];
+                D_next[i][k] = element.bb[i][k];
+            }
+        }
+        for (; mass != masses_.end() && mass->node == static_cast<int>(e); ++mass)
+            add_point_mass(*mass, a0, a1, D, R);
+        if (e == 0) {
+            add_slope_law(law_b_, trial_[0], end_b_.axis, D, R, slope_load_b_);
+            if (place_b_.prescribed()) {  // the removed rows are the reaction
+                for (int i = 0; i < 3; ++i) {
+                    rows_b.R[i] = R[i];
+                    R[i] = V(0.0);
+                    for (int k = 0; k < 4; ++k) {
+                        rows_b.D[i][k] = D[3 + k][i];
+                        D[3 + k][i] = V(0.0);
+                    }
+                    for (int k = 0; k < 7; ++k) {
+                        rows_b.E[i][k] = element.ab[i][k];
+                        element.ab[i][k] = V(0.0);
+                    }
+                    for (int k = 0; k < i; ++k) D[i][k] = V(0.0);
+                    D[i][i] = V(1.0);
+                }
+            }
+        }
+        eliminate(D, R, element.ab, factors_[e], D_next, R_next);
+        for (int i = 0; i < 7; ++i) {
+            R[i] = R_next[i];
+            for (int k = 0; k <= i; ++k) D[i][k] = D_next[i][k];
+        }
+    }
+    for (; mass != masses_.end(); ++mass) add_point_mass(*mass, a0, a1, D, R);
+    add_slope_law(law_a_, trial_[N], end_a_.axis, D, R, slope_load_a_);
+    if (static_) {
+        for (int i = 0; i < 7; ++i) {
+            last_R_[i] = R[i];
+            for (int k = 0; k <= i; ++k) last_D_[i][k] = last_D_[k][i] = D[i][k];
+        }
+    }
+
+    // The node at end A
+    V L[7][7], inverse_d[7], z[7];
+    V(&d)[7] = correction_[N].x;
+    if (place_a_.prescribed()) {
+        factor<3, 4>(D, L, inverse_d);
+        forward<4>(L, R + 3, z);
+        for (int i = 0; i < 4; ++i) z[i] = inverse_d[i] * z[i];
+        backward<4>(L, z, d + 3);
+        V f[3];
+        for (int i = 0; i < 3; ++i) {  // R:23 with dX = 0: the reduced residual is the reaction
+            d[i] = V(0.0);
+            f[i] = R[i];
+            for (int k = 3; k < 7; ++k) f[i] -= D[k][i] * d[k];
+        }
+        reaction_a_ = {f[0], f[1], f[2]};
+    } else {
+        factor<0, 7>(D, L, inverse_d);
+        forward<7>(L, R, z);
+        for (int i = 0; i < 7; ++i) z[i] = inverse_d[i] * z[i];
+        backward<7>(L, z, d);
+        reaction_a_ = {};
+    }
+    // Moment of the platform on the rod, r' x f with f carried to the solution
+    const Vector<V> d_slope{d[3], d[4], d[5]};
+    moment_a_ = cross(trial_[N].d, slope_load_a_.force + slope_load_a_.stiffness * d_slope);
+
+    for (std::size_t n = N; n-- > 0;) {
+        substitute(factors_[n], correction_[n + 1].x, correction_[n].x);
+        const Middle& middle = middles_[n];
+        V s = middle.R;
+        for (int i = 0; i < 7; ++i)
+            s -= middle.column[i] * correction_[n].x[i] +
+                 middle.column[7 + i] * correction_[n + 1].x[i];
+        lambda_correction_[n] = s * middle.inverse_pivot;
+    }
+    reaction_b_ = {};
+    if (place_b_.prescribed()) {
+        V f[3];
+        for (int i = 0; i < 3; ++i) {
+            f[i] = rows_b.R[i];
+            for (int k = 0; k < 4; ++k) f[i] -= rows_b.D[i][k] * correction_[0].x[3 + k];
+            for (int k = 0; k < 7; ++k) f[i] -= rows_b.E[i][k] * correction_[1].x[k];
+        }
+        reaction_b_ = {f[0], f[1], f[2]};
+    }
+}
+
+template <class V>
+void RodPack<V>::update_trial(Mask iterating, V a0, V a1, V limit, V& correction, V& finite) {
+    const std::size_t N = properties_.size();
+    correction = V(0.0);
+    V sum(0.0);
+    for (std::size_t n = 0; n <= N; ++n) {
+        const V(&d)[7] = correction_[n].x;
+        correction = max(correction, max(abs(d[0]), max(abs(d[1]), abs(d[2]))));
+        sum += d[0] + d[1] + d[2];
+    }
+    finite = sum - sum;  // 0, or NaN
+    // A step beyond the limit is shortened as a whole; frozen lanes do not move.
+    const V scale = select(iterating, min(V(1.0), limit / max(correction, V(1e-30))), V(0.0));
+    const V c0 = scale * a0, c1 = scale * a1;
+    for (std::size_t n = 0; n <= N; ++n) {
+        const V(&d)[7] = correction_[n].x;
+        TrialNode<V>& x = trial_[n];
+        const Vector<V> dr = select(iterating, Vector<V>{d[0], d[1], d[2]}, Vector<V>{});
+        const Vector<V> dd = select(iterating, Vector<V>{d[3], d[4], d[5]}, Vector<V>{});
+        x.r -= scale * dr, x.d -= scale * dd;
+        x.v -= c1 * dr, x.vd -= c1 * dd;
+        x.a -= c0 * dr, x.ad -= c0 * dd;
+        lambda_[2 * n] -= scale * select(iterating, d[6], V(0.0));
+        if (n < N) lambda_[2 * n + 1] -= scale * select(iterating, lambda_correction_[n], V(0.0));
+    }
+}
+
+template void RodPack<Single>::solve(Single, Single);
+template void RodPack<Single>::update_trial(Single::Mask, Single, Single, Single, Single&, Single&);
+template void RodPack<Quad>::solve(Quad, Quad);
+template void RodPack<Quad>::update_trial(Quad::Mask, Quad, Quad, Quad, Quad&, Quad&);
+
+}  // namespace hawser::worker

@@ -1,0 +1,101 @@
+// Everything a rod remembers between steps, for all lanes of a pack, in one contiguous block
+// (section 5.5 of the rod formulation). Saving for a stage and keeping are copies of it. Nodes are
+// counted from end B (seabed) to end A (platform): the way the elimination runs.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "rod/shape.hpp"
+#include "rod/vector3.hpp"
+
+namespace hawser::worker {
+
+/// One node: position, slope r' = dr/ds (s from B to A), their rates and the auxiliary acceleration
+/// A of R:27.
+template <class V>
+struct NodeState {
+    Vector<V> r, d, v, vd, a, ad, A, Ad;
+};
+
+/// lambda at a node or an element middle, now and one step before (R:29) [N].
+template <class V>
+struct Multiplier {
+    V now{}, before{};
+};
+
+/// Strains and rates of the two Kelvin-Voigt elements at a Gauss point, R:4.
+template <class V>
+struct Strain {
+    V damper{}, damper_rate{}, creep{}, creep_rate{};
+};
+
+/// Water at a Gauss point at one grid time: velocity, wave acceleration, elevation above it; R:19.
+template <class V>
+struct Water {
+    Vector<V> u, ud;
+    V eta{};
+};
+
+/// What belongs to the rod as a whole.
+template <class V>
+struct RodHead {
+    V t{}, h{};                  ///< time of the state, step that led to it [s]
+    Vector<V> force_a, force_b;  ///< force of the supports on the rod at its ends [N]
+    Vector<V> moment_a;          ///< moment of the platform's slope constraint on the rod [N.m]
+    Vector<V> axis_a, axis_b;    ///< slope-constraint axes, from B to A, on their own frame
+};
+
+template <class V>
+class RodState {
+ public:
+    RodState() = default;
+    RodState(int elements, int water_slabs)
+        : elements_(static_cast<std::size_t>(elements)),
+          slabs_(static_cast<std::size_t>(water_slabs)),
+          block_(water_start() + slabs_ * points() * (sizeof(Water<V>) / sizeof(V))) {}
+
+    RodHead<V>& head() { return *at<RodHead<V>>(0); }
+    const RodHead<V>& head() const { return *at<const RodHead<V>>(0); }
+    NodeState<V>* nodes() { return at<NodeState<V>>(node_start()); }
+    const NodeState<V>* nodes() const { return at<const NodeState<V>>(node_start()); }
+    /// lambda: entry 2n is node n, entry 2e + 1 the middle of element e.
+    Multiplier<V>* lambda() { return at<Multiplier<V>>(lambda_start()); }
+    const Multiplier<V>* lambda() const { return at<const Multiplier<V>>(lambda_start()); }
+    Strain<V>* strain() { return at<Strain<V>>(strain_start()); }
+    const Strain<V>* strain() const { return at<const Strain<V>>(strain_start()); }
+    Water<V>* water(std::size_t slab) { return at<Water<V>>(water_start()) + slab * points(); }
+    const Water<V>* water(std::size_t slab) const {
+        return at<const Water<V>>(water_start()) + slab * points();
+    }
+
+    [[nodiscard]] std::size_t elements() const { return elements_; }
+    [[nodiscard]] std::size_t points() const { return elements_ * gauss_points; }
+    [[nodiscard]] std::size_t slabs() const { return slabs_; }
+    [[nodiscard]] const std::vector<V>& block() const { return block_; }
+    V* values() { return block_.data(); }
+
+ private:
+    static constexpr std::size_t count(std::size_t bytes) { return bytes / sizeof(V); }
+    std::size_t node_start() const { return count(sizeof(RodHead<V>)); }
+    std::size_t lambda_start() const {
+        return node_start() + (elements_ + 1) * count(sizeof(NodeState<V>));
+    }
+    std::size_t strain_start() const {
+        return lambda_start() + (2 * elements_ + 1) * count(sizeof(Multiplier<V>));
+    }
+    std::size_t water_start() const { return strain_start() + points() * count(sizeof(Strain<V>)); }
+    template <class T>
+    T* at(std::size_t i) {
+        return reinterpret_cast<T*>(block_.data() + i);
+    }
+    template <class T>
+    T* at(std::size_t i) const {
+        return reinterpret_cast<T*>(block_.data() + i);
+    }
+
+    std::size_t elements_ = 0, slabs_ = 0;
+    std::vector<V> block_;
+};
+
+}  // namespace hawser::worker

@@ -1,0 +1,287 @@
+// Static start of a pack: catenary guess, Newton with a0 = a1 = 0, checks that reject false
+// equilibria (section 9 of the rod formulation).
+#include <algorithm>
+#include <cmath>
+
+#include "rod/catenary.hpp"
+#include "rod/rod_pack.hpp"
+
+namespace hawser::worker {
+
+namespace {
+
+constexpr double static_tolerance = 1e-9;  // nodal position correction [m]
+constexpr int static_iterations = 100;
+constexpr double static_step_limit = 50.0;  // [m]
+constexpr double move_per_increment = 5.0;  // of the platform between two static solutions [m]
+constexpr double turn_lever = 100.0;        // metres of motion that a radian of rotation counts as
+
+}  // namespace
+
+template <class V>
+auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose) -> Mask {
+    using T = LaneTraits<V>;
+    const MotionSpline still(0.0, pose, 0.0, pose);
+    const EndValues<V> a = end_values(place_a_, kept_.head().axis_a, V(0.0), still);
+    const EndValues<V> b = end_values(place_b_, kept_.head().axis_b, V(0.0), still);
+    const auto vec = [&](const Vector<V>& x) {
+        return Vec3(T::get(x.x, lane), T::get(x.y, lane), T::get(x.z, lane));
+    };
+    std::vector<CatenaryElement> elements;
+    auto mass = masses_.begin();
+    for (std::size_t e = 0; e < properties_.size(); ++e) {
+        const ElementProperties<V>& p = properties_[e];
+        const double EA_static =
+            1.0 / (1.0 / T::get(p.K_damper, lane) + 1.0 / T::get(p.K_creep, lane));
+        CatenaryElement element{.length = T::get(p.L, lane),
+                                .EA = EA_static,
+                                .weight_wet = T::get(p.weight, lane) - T::get(p.buoyancy, lane),
+                                .weight_dry = T::get(p.weight, lane)};
+        for (; mass != masses_.end() && mass->node <= static_cast<int>(e) + 1; ++mass) {
+            if (mass->node == static_cast<int>(e) + 1)
+                element.point_weight +=
+                    (T::get(mass->mass, lane) - T::get(mass->displaced, lane)) * gravity_;
+        }
+        elements.push_back(element);
+    }
+    const bool on_bed = place_b_.end[static_cast<std::size_t>(lane)].kind == EndKind::anchor;
+    const Catenary shape_found =
+        place_b_.prescribed() ? solve_catenary(elements, vec(b.position), vec(a.position), on_bed)
+                              : hang_freely(elements, vec(a.position));
+    Mask found = LaneTraits<V>::none();
+    if (!shape_found.found) return found;
+    T::set(found, lane, true);
+    set_guess(lane, shape_found.nodes);
+    return found;
+}
+
+template <class V>
+void RodPack<V>::set_guess(int lane, const std::vector<CatenaryNode>& nodes) {
+    using T = LaneTraits<V>;
+    double strongest = 1.0;
+    for (const CatenaryNode& c : nodes) strongest = std::max(strongest, std::abs(c.tension));
+    const double floor = 1e-6 * strongest;  // a start without any tension would be singular
+    NodeState<V>* node = kept_.nodes();
+    Multiplier<V>* lambda = kept_.lambda();
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const CatenaryNode& c = nodes[n];
+        const auto put = [&](Vector<V>& to, const Vec3& x) {
+            T::set(to.x, lane, x.x()), T::set(to.y, lane, x.y()), T::set(to.z, lane, x.z());
+        };
+        put(node[n].r, c.position);
+        put(node[n].d, c.tangent);
+        const auto raised = [&](double tension) {
+            return std::abs(tension) < floor ? floor : tension;
+        };
+        T::set(lambda[2 * n].now, lane, raised(c.tension));
+        if (n > 0)
+            T::set(lambda[2 * n - 1].now, lane, raised(0.5 * (c.tension + nodes[n - 1].tension)));
+    }
+    T::set(guessed_, lane, true);
+}
+
+template <class V>
+auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wanted) -> Mask {
+    static_ = true;
+    const MotionSpline still(0.0, pose, 0.0, pose);
+    const NodeState<V>* node = kept_.nodes();
+    for (std::size_t n = 0; n < trial_.size(); ++n)
+        trial_[n] = {.r = node[n].r, .d = node[n].d, .v = {}, .vd = {}, .a = {}, .ad = {}};
+    for (std::size_t i = 0; i < lambda_.size(); ++i) lambda_[i] = kept_.lambda()[i].now;
+    for (std::size_t e = 0; e < properties_.size(); ++e) {
+        material_[e].s = V(1.0) / properties_[e].K_damper + V(1.0) / properties_[e].K_creep;
+        for (V& b : material_[e].b) b = V(0.0);
+    }
+    end_a_ = end_values(place_a_, kept_.head().axis_a, V(0.0), still);
+    end_b_ = end_values(place_b_, kept_.head().axis_b, V(0.0), still);
+    if (place_a_.prescribed()) trial_.back().r = end_a_.position;
+    if (place_b_.prescribed()) trial_.front().r = end_b_.position;
+
+    Mask iterating = wanted, solved = LaneTraits<V>::none();
+    RodHead<V>& head = kept_.head();
+    V polish(0.0);  // two more iterations after the position test settle lambda
+    for (int i = 0; i < static_iterations && any(iterating); ++i) {
+        V correction, finite;
+        current_only(current);
+        solve(V(0.0), V(0.0));
+        update_trial(iterating, V(0.0), V(0.0), V(static_step_limit), correction, finite);
+        head.force_a = select(iterating, reaction_a_, head.force_a);
+        head.force_b = select(iterating, reaction_b_, head.force_b);
+        head.moment_a = select(iterating, moment_a_, head.moment_a);
+        static_correction_ = select(iterating, correction, static_correction_);
+        const Mask sound = iterating & (finite <= V(0.0));
+        polish = select(sound & (correction <= V(static_tolerance)), polish + V(1.0), V(0.0));
+        const Mask done = sound & (polish >= V(3.0));
+        solved = solved | done;
+        iterating = sound & !done;
+    }
+    // What was found becomes the kept state of the lanes that were wanted.
+    NodeState<V>* to = kept_.nodes();
+    for (std::size_t n = 0; n < trial_.size(); ++n) {
+        to[n].r = select(solved, trial_[n].r, to[n].r);
+        to[n].d = select(solved, trial_[n].d, to[n].d);
+    }
+    for (std::size_t i = 0; i < lambda_.size(); ++i) {
+        Multiplier<V>& l = kept_.lambda()[i];
+        l.now = l.before = select(solved, lambda_[i], l.now);
+    }
+    return solved;
+}
+
+template <class V>
+auto RodPack<V>::false_equilibria() const -> Mask {
+    // Newton finds any equilibrium. Accept it only if the rod is in tension, does not fold inside
+    // an element, and is neither stretched nor squeezed beyond reason.
+    Mask bad = LaneTraits<V>::none();
+    const NodeState<V>* node = kept_.nodes();
+    const Multiplier<V>* lambda = kept_.lambda();
+    V strongest(0.0);
+    for (std::size_t i = 0; i < lambda_.size(); ++i) strongest = max(strongest, abs(lambda[i].now));
+    for (std::size_t n = 0; n < trial_.size(); ++n) {
+        const V d2 = dot(node[n].d, node[n].d);
+        bad = bad | (d2 < V(0.9 * 0.9)) | (d2 > V(1.2 * 1.2));
+        if (n + 1 < trial_.size()) bad = bad | (dot(node[n].d, node[n + 1].d) <= V(0.0));
+    }
+    for (std::size_t e = 0; e < properties_.size(); ++e) {
+        // lambda = T - B kappa^2: bending alone makes it negative
+        const Vector<V> turn = node[e + 1].d - node[e].d;
+        const V bending =
+            properties_[e].B * dot(turn, turn) / (properties_[e].L * properties_[e].L);
+        for (std::size_t i = 2 * e; i < 2 * e + 3; ++i)
+            bad = bad | (lambda[i].now < V(-0.01) * strongest - V(3.0) * bending);
+    }
+    return bad & used_;
+}
+
+template <class V>
+void RodPack<V>::finish_statics(Mask good) {
+    // At rest: strains of the material elements from the tension, R:4 with c = 0.
+    Strain<V>* strain = kept_.strain();
+    for (std::size_t e = 0; e < properties_.size(); ++e) {
+        const ElementProperties<V>& p = properties_[e];
+        const V s = V(1.0) / p.K_damper + V(1.0) / p.K_creep;
+        for (std::size_t k = 0; k < gauss_points; ++k) {
+            const Multiplier<V>* l = kept_.lambda() + 2 * e;
+            const V lambda = V(shape.P[k][0]) * l[0].now + V(shape.P[k][1]) * l[1].now +
+                             V(shape.P[k][2]) * l[2].now;
+            const V T = lambda / (V(1.0) - s * lambda);
+            Strain<V>& q = strain[e * gauss_points + k];
+            q.damper = select(good, T / p.K_damper, q.damper);
+            q.creep = select(good, T / p.K_creep, q.creep);
+            q.damper_rate = q.creep_rate = V(0.0);
+        }
+    }
+    NodeState<V>* node = kept_.nodes();
+    for (std::size_t n = 0; n < trial_.size(); ++n)
+        node[n].v = node[n].vd = node[n].a = node[n].ad = node[n].A = node[n].Ad = Vector<V>{};
+    kept_.head().t = V(0.0);
+    kept_.head().h = line_step_;
+    wave_index_ = -1;
+    working_ = kept_;
+}
+
+template <class V>
+Status RodPack<V>::equilibrium(const PlatformMotion& pose, bool current) {
+    const auto everything_of = [&](Mask done) { return used_ & !done; };
+    if (!started_) {
+        // The first solution is that of the design position in still water, from the catenary; axes
+        // of joints that follow the static tangent are taken from it.
+        const PlatformMotion design;
+        Mask guessed = guessed_;
+        for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
+            if (!LaneTraits<V>::get(guessed_, i)) guessed = guessed | guess_lane(i, design);
+        copy_idle_lanes();
+        if (any(everything_of(guessed)))
+            return status_of(everything_of(guessed), Status::Code::no_equilibrium, 0.0);
+        law_on_ = !any(axis_is_static_a_ | axis_is_static_b_);
+        const Mask solved = static_newton(design, false, used_);
+        law_on_ = true;
+        if (any(everything_of(solved)))
+            return status_of(everything_of(solved), Status::Code::no_equilibrium, 0.0);
+        const auto tangent = [](const Vector<V>& d) { return (V(1.0) / sqrt(dot(d, d))) * d; };
+        RodHead<V>& head = kept_.head();
+        head.axis_a =
+            select(axis_is_static_a_, tangent(kept_.nodes()[trial_.size() - 1].d), head.axis_a);
+        head.axis_b = select(axis_is_static_b_, tangent(kept_.nodes()[0].d), head.axis_b);
+        if (any(false_equilibria()))
+            return status_of(false_equilibria(), Status::Code::false_equilibrium, 0.0);
+        pose_ = design;
+        started_ = true;
+    }
+    // Walk to the pose asked for in increments that depend on the platform's move alone.
+    const double move =
+        (pose.position - pose_.position).norm() + turn_lever * (pose.angles - pose_.angles).norm();
+    const int increments = std::max(1, static_cast<int>(std::ceil(move / move_per_increment)));
+    const PlatformMotion from = pose_;
+    for (int k = 1; k <= increments; ++k) {
+        const double q = static_cast<double>(k) / increments;
+        PlatformMotion at = pose;
+        at.velocity.setZero();
+        at.angle_rates.setZero();
+        if (k < increments) {
+            at.position = from.position + q * (pose.position - from.position);
+            at.angles = from.angles + q * (pose.angles - from.angles);
+        }
+        Mask solved = static_newton(at, current, used_);
+        if (any(everything_of(solved))) {  // once more from the catenary
+            for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
+                if (LaneTraits<V>::get(everything_of(solved), i)) guess_lane(i, at);
+            solved = solved | static_newton(at, current, everything_of(solved));
+        }
+        if (any(everything_of(solved)))
+            return status_of(everything_of(solved), Status::Code::no_equilibrium, 0.0);
+    }
+    if (any(false_equilibria()))
+        return status_of(false_equilibria(), Status::Code::false_equilibrium, 0.0);
+    pose_ = pose;
+    finish_statics(used_);
+    for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
+        fitted_[static_cast<std::size_t>(i)] = wrench(i, pose.position);
+    return {};
+}
+
+template <class V>
+void RodPack<V>::copy_idle_lanes() {
+    using T = LaneTraits<V>;
+    V* block = kept_.values();
+    for (std::size_t k = 0; k < kept_.block().size(); ++k)
+        for (int i = static_cast<int>(lines_.size()); i < lanes; ++i)
+            T::set(block[k], i, T::get(block[k], 0));
+}
+
+template <class V>
+Status RodPack<V>::status_of(Mask bad, Status::Code code, double t) const {
+    using T = LaneTraits<V>;
+    Status status;
+    status.code = code;
+    status.t = t;
+    status.iterations =
+        code == Status::Code::not_converged ? newton.max_iterations : static_iterations;
+    for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
+        if (!T::get(bad, i)) continue;
+        status.line = lines_[static_cast<std::size_t>(i)];
+        double largest = -1.0;
+        for (std::size_t n = 0; n < trial_.size(); ++n) {
+            double size = 0.0;
+            for (int c = 0; c < 3; ++c)
+                size = std::max(size, std::abs(T::get(correction_[n].x[c], i)));
+            if (!std::isfinite(T::get(correction_[n].x[0], i)))
+                status.code = Status::Code::not_finite;
+            if (size > largest) {
+                largest = size;
+                const auto& arc = arc_length_[static_cast<std::size_t>(i)];
+                status.arc_length = arc.back() - arc[n];
+            }
+        }
+        status.residual = largest;
+        break;
+    }
+    return status;
+}
+
+template Status RodPack<Single>::equilibrium(const PlatformMotion&, bool);
+template Status RodPack<Single>::status_of(Single::Mask, Status::Code, double) const;
+template Status RodPack<Quad>::equilibrium(const PlatformMotion&, bool);
+template Status RodPack<Quad>::status_of(Quad::Mask, Status::Code, double) const;
+
+}  // namespace hawser::worker

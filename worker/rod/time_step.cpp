@@ -1,0 +1,250 @@
+// Time steps and passes of a pack: section 5 of the rod formulation, R:27 to R:29, with the step
+// control of 5.4.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "force_fit.hpp"
+#include "rod/rod_pack.hpp"
+
+namespace hawser::worker {
+
+template <class V>
+void RodPack<V>::prepare_material(const RodState<V>& s, V h) {
+    const V g(scheme_.g_damper);
+    const V ratio((1.0 - scheme_.g_damper) / scheme_.g_damper);
+    const V inverse_gh = V(1.0) / (g * h), inverse_half_h = V(2.0) / h;
+    const Strain<V>* strain = s.strain();
+    for (std::size_t e = 0; e < properties_.size(); ++e) {
+        const ElementProperties<V>& p = properties_[e];
+        // R:4 for the damper (weight g) and the creep element (weight 1/2)
+        const V s1 = V(1.0) / (p.K_damper + p.c_damper * inverse_gh);
+        const V s2 = V(1.0) / (p.K_creep + p.c_creep * inverse_half_h);
+        material_[e].s = s1 + s2;
+        for (std::size_t k = 0; k < gauss_points; ++k) {
+            const Strain<V>& q = strain[e * gauss_points + k];
+            material_[e].b[k] = s1 * p.c_damper * (q.damper * inverse_gh + ratio * q.damper_rate) +
+                                s2 * p.c_creep * (q.creep * inverse_half_h + q.creep_rate);
+        }
+    }
+}
+
+template <class V>
+void RodPack<V>::predict(const RodState<V>& s, V h) {
+    // Section 5.1: a1 = a0, A1 from the average, x and v from the formulas; lambda along its last
+    // slope, R:29.
+    const V from_a(1.0 / (1.0 - scheme_.am)), from_A(-scheme_.am / (1.0 - scheme_.am));
+    const V half_less(0.5 - scheme_.beta), beta(scheme_.beta), gamma(scheme_.gamma);
+    const NodeState<V>* node = s.nodes();
+    const V h2 = h * h;
+    for (std::size_t n = 0; n < trial_.size(); ++n) {
+        const NodeState<V>& x = node[n];
+        const Vector<V> A = from_a * x.a + from_A * x.A, Ad = from_a * x.ad + from_A * x.Ad;
+        TrialNode<V>& y = trial_[n];
+        y.r = x.r + h * x.v + h2 * (half_less * x.A + beta * A);
+        y.d = x.d + h * x.vd + h2 * (half_less * x.Ad + beta * Ad);
+        y.v = x.v + h * ((V(1.0) - gamma) * x.A + gamma * A);
+        y.vd = x.vd + h * ((V(1.0) - gamma) * x.Ad + gamma * Ad);
+        y.a = x.a;
+        y.ad = x.ad;
+    }
+    const V stretch = h / s.head().h;
+    const Multiplier<V>* lambda = s.lambda();
+    for (std::size_t i = 0; i < lambda_.size(); ++i)
+        lambda_[i] = lambda[i].now + stretch * (lambda[i].now - lambda[i].before);
+}
+
+template <class V>
+void RodPack<V>::accept(Mask accepted, V h, V t_new) {
+    RodState<V>& s = working_;
+    const V from_new((1.0 - scheme_.af) / (1.0 - scheme_.am));
+    const V from_a(scheme_.af / (1.0 - scheme_.am)), from_A(-scheme_.am / (1.0 - scheme_.am));
+    NodeState<V>* node = s.nodes();
+    for (std::size_t n = 0; n < trial_.size(); ++n) {
+        NodeState<V>& x = node[n];
+        const TrialNode<V>& y = trial_[n];
+        x.A = select(accepted, from_new * y.a + from_a * x.a + from_A * x.A, x.A);
+        x.Ad = select(accepted, from_new * y.ad + from_a * x.ad + from_A * x.Ad, x.Ad);
+        x.r = select(accepted, y.r, x.r), x.d = select(accepted, y.d, x.d);
+        x.v = select(accepted, y.v, x.v), x.vd = select(accepted, y.vd, x.vd);
+        x.a = select(accepted, y.a, x.a), x.ad = select(accepted, y.ad, x.ad);
+    }
+    Multiplier<V>* lambda = s.lambda();
+    for (std::size_t i = 0; i < lambda_.size(); ++i) {
+        lambda[i].before = select(accepted, lambda[i].now, lambda[i].before);
+        lambda[i].now = select(accepted, lambda_[i], lambda[i].now);
+    }
+    if (has_strain_) {  // R:4 with the tension of the new state
+        const V g(scheme_.g_damper);
+        const V ratio((1.0 - scheme_.g_damper) / scheme_.g_damper);
+        const V inverse_gh = V(1.0) / (g * h), inverse_half_h = V(2.0) / h;
+        Strain<V>* strain = s.strain();
+        for (std::size_t e = 0; e < properties_.size(); ++e) {
+            const ElementProperties<V>& p = properties_[e];
+            const V s1 = V(1.0) / (p.K_damper + p.c_damper * inverse_gh);
+            const V s2 = V(1.0) / (p.K_creep + p.c_creep * inverse_half_h);
+            for (std::size_t k = 0; k < gauss_points; ++k) {
+                Strain<V>& q = strain[e * gauss_points + k];
+                const V l = V(shape.P[k][0]) * lambda_[2 * e] +
+                            V(shape.P[k][1]) * lambda_[2 * e + 1] +
+                            V(shape.P[k][2]) * lambda_[2 * e + 2];
+                const V T =
+                    l * (V(1.0) + material_[e].b[k]) / (V(1.0) - min(material_[e].s * l, V(0.5)));
+                const V e1 =
+                    s1 * (p.c_damper * (q.damper * inverse_gh + ratio * q.damper_rate) + T);
+                const V e2 = s2 * (p.c_creep * (q.creep * inverse_half_h + q.creep_rate) + T);
+                const V r1 = (e1 - q.damper) * inverse_gh - ratio * q.damper_rate;
+                const V r2 = (e2 - q.creep) * inverse_half_h - q.creep_rate;
+                q.damper = select(accepted, e1, q.damper);
+                q.damper_rate = select(accepted, r1, q.damper_rate);
+                q.creep = select(accepted, e2, q.creep);
+                q.creep_rate = select(accepted, r2, q.creep_rate);
+            }
+        }
+    }
+    s.head().t = select(accepted, t_new, s.head().t);
+    s.head().h = select(accepted, h, s.head().h);
+}
+
+template <class V>
+void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& platform,
+                              Mask& accepted) {
+    ++work_.steps;
+    const V a0 = scheme_.a0(h), a1 = scheme_.a1(h);
+    prepare_material(working_, h);
+    interpolate_water(t_new);
+    predict(working_, h);
+    end_a_ = end_values(place_a_, working_.head().axis_a, t_new, platform);
+    end_b_ = end_values(place_b_, working_.head().axis_b, t_new, platform);
+    const auto put = [](TrialNode<V>& node, const EndValues<V>& end) {
+        node.r = end.position, node.v = end.velocity, node.a = end.acceleration;
+    };
+    if (place_a_.prescribed()) put(trial_.back(), end_a_);
+    if (place_b_.prescribed()) put(trial_.front(), end_b_);
+
+    Mask iterating = active;
+    accepted = LaneTraits<V>::none();
+    RodHead<V>& head = working_.head();
+    Vector<V> force_a = head.force_a, force_b = head.force_b, moment_a = head.moment_a;
+    for (int i = 0; i < newton.max_iterations && any(iterating); ++i) {
+        V correction, finite;
+        solve(a0, a1);
+        update_trial(iterating, a0, a1, V(1e30), correction, finite);
+        force_a = select(iterating, reaction_a_, force_a);
+        force_b = select(iterating, reaction_b_, force_b);
+        moment_a = select(iterating, moment_a_, moment_a);
+        const Mask sound = iterating & (finite <= V(0.0));
+        const Mask converged = sound & (correction <= V(newton.tolerance));
+        accepted = accepted | converged;
+        iterating = sound & !converged;
+    }
+    head.force_a = select(accepted, force_a, head.force_a);
+    head.force_b = select(accepted, force_b, head.force_b);
+    head.moment_a = select(accepted, moment_a, head.moment_a);
+    accept(accepted, h, t_new);
+}
+
+template <class V>
+Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
+    using T = LaneTraits<V>;
+    static_ = false;
+    if (wave_index_ < 0 ||
+        (static_cast<double>(wave_index_) + 1e-9) * wave_step_ < t0 + platform_step_)
+        refresh_water(t0 + platform_step_);
+    working_ = kept_;
+    ++work_.passes;
+    work_.rod_time += t1 - t0;
+
+    // R:28: equal steps, each lane its own; always from the kept state
+    const double H = t1 - t0;
+    struct Clock {
+        double base = 0.0, h = 0.0;
+        int done = 0, steps = 0, halvings = 0, coarse = 0;
+    };
+    std::array<Clock, static_cast<std::size_t>(lanes)> clock;
+    V h{}, t_new{};
+    Mask active = used_;
+    for (int i = 0; i < lanes; ++i) {
+        Clock& c = clock[static_cast<std::size_t>(i)];
+        c.steps = c.coarse =
+            std::max(1, static_cast<int>(std::ceil(H / T::get(line_step_, i) - 1e-9)));
+        c.h = H / c.steps;
+        c.base = t0;
+        T::set(h, i, c.h);
+    }
+    RodHead<V>& head = working_.head();
+    {  // on a change of step A <- a + (h/h_old)(A - a)
+        const V ratio = h / head.h;
+        NodeState<V>* node = working_.nodes();
+        for (std::size_t n = 0; n < trial_.size(); ++n) {
+            node[n].A = node[n].a + ratio * (node[n].A - node[n].a);
+            node[n].Ad = node[n].ad + ratio * (node[n].Ad - node[n].ad);
+        }
+    }
+    for (int i = 0; i < lanes; ++i) {
+        fitted_[static_cast<std::size_t>(i)].setZero();
+        add_to_fit(i, 0, clock[static_cast<std::size_t>(i)].coarse, platform);
+    }
+    while (any(active)) {
+        for (int i = 0; i < lanes; ++i) {
+            const Clock& c = clock[static_cast<std::size_t>(i)];
+            const bool last = c.done + 1 >= c.steps;
+            T::set(t_new, i, last ? t1 : c.base + (c.done + 1) * c.h);
+            T::set(h, i, c.h);
+        }
+        Mask accepted;
+        attempt_step(active, h, t_new, platform, accepted);
+        for (int i = 0; i < lanes; ++i) {
+            if (!T::get(active, i)) continue;
+            Clock& c = clock[static_cast<std::size_t>(i)];
+            if (T::get(accepted, i)) {
+                ++c.done;
+                const double q =
+                    (T::get(t_new, i) - t0) / H * c.coarse;  // halved steps do not count
+                if (std::abs(q - std::round(q)) < 1e-6)
+                    add_to_fit(i, static_cast<int>(std::round(q)), c.coarse, platform);
+                if (c.done >= c.steps) T::set(active, i, false);
+                continue;
+            }
+            // 5.4: halve the step for what is left of the pass, restart with A = a
+            if (++c.halvings > newton.max_halvings) {
+                Mask bad = T::none();
+                T::set(bad, i, true);
+                return status_of(bad, Status::Code::not_converged, T::get(t_new, i));
+            }
+            c.base += c.done * c.h;
+            c.steps = 2 * (c.steps - c.done);
+            c.done = 0;
+            c.h *= 0.5;
+            NodeState<V>* node = working_.nodes();
+            for (std::size_t n = 0; n < trial_.size(); ++n) {
+                const auto reset = [&](V& A, const V& a) { T::set(A, i, T::get(a, i)); };
+                reset(node[n].A.x, node[n].a.x), reset(node[n].A.y, node[n].a.y);
+                reset(node[n].A.z, node[n].a.z), reset(node[n].Ad.x, node[n].ad.x);
+                reset(node[n].Ad.y, node[n].ad.y), reset(node[n].Ad.z, node[n].ad.z);
+            }
+        }
+    }
+    return {};
+}
+
+template <class V>
+void RodPack<V>::add_to_fit(int lane, int i, int n, const MotionSpline& platform) {
+    const double weight = fit_weight(force_, i, n);
+    if (weight == 0.0) return;
+    const double t = LaneTraits<V>::get(working_.head().t, lane);
+    fitted_[static_cast<std::size_t>(lane)] +=
+        weight * wrench(lane, platform.at(t).motion.position);
+}
+
+template <class V>
+void RodPack<V>::keep() {
+    kept_ = working_;
+}
+
+template Status RodPack<Single>::pass(double, double, const MotionSpline&);
+template void RodPack<Single>::keep();
+template Status RodPack<Quad>::pass(double, double, const MotionSpline&);
+template void RodPack<Quad>::keep();
+
+}  // namespace hawser::worker

@@ -175,7 +175,7 @@ TEST(WaveField, FilterKeepsTheLongerOfTwoWaves) {
 // Each component left out has a depth factor below e^(-2 pi) = 0.0019, so at any depth the filter
 // changes u by less than that times the sum of their A w, and a by that times A w^2. The elevation
 // above the point keeps all components.
-TEST(WaveField, FilterErrorIsBoundedAtAnyDepth) {
+TEST(WaveField, FilterErrorIsBoundedAtAnyDepth) {  // P:6
     const double h = 1500.0;
     const std::vector<WaveComponent> sea = some_sea(h);
     const WaveField filtered = wheeler(sea, h, 1.0), all = wheeler(sea, h);

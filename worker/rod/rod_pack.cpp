@@ -217,6 +217,10 @@ Vec3 RodPack<V>::moment_on_support_a(int lane) const {
     return -lane_vector(working_.head().moment_a, lane);
 }
 template <class V>
+Vec3 RodPack<V>::moment_on_support_b(int lane) const {
+    return -lane_vector(working_.head().moment_b, lane);
+}
+template <class V>
 Vec3 RodPack<V>::direction_a(int lane) const {
     return -lane_vector(working_.nodes()[properties_.size()].d, lane).normalized();
 }

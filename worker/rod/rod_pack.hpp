@@ -85,8 +85,9 @@ class RodPack {
     [[nodiscard]] Vec3 direction_b(int lane) const;
     [[nodiscard]] Vec3 force_on_support_a(int lane) const;
     [[nodiscard]] Vec3 force_on_support_b(int lane) const;
-    /// Moment of the end-A joint on the platform [N.m].
+    /// Moments of the joints at the ends on what holds them [N.m].
     [[nodiscard]] Vec3 moment_on_support_a(int lane) const;
+    [[nodiscard]] Vec3 moment_on_support_b(int lane) const;
     /// Position of node n counted from end A [m].
     [[nodiscard]] Vec3 node_position(int lane, int n) const;
     /// Static stiffness about `reference`: -d(wrench)/d(position, rotation vector) [6 x 6], R:25.
@@ -191,7 +192,7 @@ class RodPack {
     ElementSystem<V> element_;
     EndValues<V> end_a_, end_b_;
     V static_correction_{};
-    Vector<V> reaction_a_, reaction_b_, moment_a_;
+    Vector<V> reaction_a_, reaction_b_, moment_a_, moment_b_;
     V last_D_[7][7];  ///< node at end A before its elimination, for the static stiffness
     V last_R_[7];
     ConstraintLoad<V> slope_load_a_, slope_load_b_;

@@ -39,6 +39,16 @@ void RodPack<V>::add_slope_law(const SlopeLaw<V>& law, const TrialNode<V>& node,
         for (int k = 0; k <= i; ++k) D[3 + i][3 + k] += out.stiffness(i, k);
 }
 
+namespace {
+
+/// Moment of a joint on the rod, r' x f, with f carried to the solution of the linear system.
+template <class V>
+Vector<V> joint_moment(const TrialNode<V>& node, const ConstraintLoad<V>& joint, const V (&d)[7]) {
+    return cross(node.d, joint.force + joint.stiffness * Vector<V>{d[3], d[4], d[5]});
+}
+
+}  // namespace
+
 template <class V>
 void RodPack<V>::solve(V a0, V a1) {
     const std::size_t N = properties_.size();
@@ -125,9 +135,7 @@ void RodPack<V>::solve(V a0, V a1) {
         backward<7>(L, z, d);
         reaction_a_ = {};
     }
-    // Moment of the platform on the rod, r' x f with f carried to the solution
-    const Vector<V> d_slope{d[3], d[4], d[5]};
-    moment_a_ = cross(trial_[N].d, slope_load_a_.force + slope_load_a_.stiffness * d_slope);
+    moment_a_ = joint_moment(trial_[N], slope_load_a_, d);
 
     for (std::size_t n = N; n-- > 0;) {
         substitute(factors_[n], correction_[n + 1].x, correction_[n].x);
@@ -138,6 +146,7 @@ void RodPack<V>::solve(V a0, V a1) {
                  middle.column[7 + i] * correction_[n + 1].x[i];
         lambda_correction_[n] = s * middle.inverse_pivot;
     }
+    moment_b_ = joint_moment(trial_[0], slope_load_b_, correction_[0].x);
     reaction_b_ = {};
     if (place_b_.prescribed()) {
         V f[3];

@@ -40,10 +40,10 @@ struct Water {
 /// What belongs to the rod as a whole.
 template <class V>
 struct RodHead {
-    V t{}, h{};                  ///< time of the state, step that led to it [s]
-    Vector<V> force_a, force_b;  ///< force of the supports on the rod at its ends [N]
-    Vector<V> moment_a;          ///< moment of the platform's slope constraint on the rod [N.m]
-    Vector<V> axis_a, axis_b;    ///< slope-constraint axes, from B to A, on their own frame
+    V t{}, h{};                    ///< time of the state, step that led to it [s]
+    Vector<V> force_a, force_b;    ///< force of the supports on the rod at its ends [N]
+    Vector<V> moment_a, moment_b;  ///< moment of the joints at the ends on the rod [N.m]
+    Vector<V> axis_a, axis_b;      ///< slope-constraint axes, from B to A, on their own frame
 };
 
 template <class V>

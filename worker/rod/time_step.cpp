@@ -125,7 +125,8 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
     Mask iterating = active;
     accepted = LaneTraits<V>::none();
     RodHead<V>& head = working_.head();
-    Vector<V> force_a = head.force_a, force_b = head.force_b, moment_a = head.moment_a;
+    Vector<V> force_a = head.force_a, force_b = head.force_b, moment_a = head.moment_a,
+              moment_b = head.moment_b;
     for (int i = 0; i < newton.max_iterations && any(iterating); ++i) {
         V correction, finite;
         solve(a0, a1);
@@ -133,6 +134,7 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
         force_a = select(iterating, reaction_a_, force_a);
         force_b = select(iterating, reaction_b_, force_b);
         moment_a = select(iterating, moment_a_, moment_a);
+        moment_b = select(iterating, moment_b_, moment_b);
         const Mask sound = iterating & (finite <= V(0.0));
         const Mask converged = sound & (correction <= V(newton.tolerance));
         accepted = accepted | converged;
@@ -141,6 +143,7 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
     head.force_a = select(accepted, force_a, head.force_a);
     head.force_b = select(accepted, force_b, head.force_b);
     head.moment_a = select(accepted, moment_a, head.moment_a);
+    head.moment_b = select(accepted, moment_b, head.moment_b);
     accept(accepted, h, t_new);
 }
 

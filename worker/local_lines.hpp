@@ -1,0 +1,36 @@
+// The lines of this process: packs of rods behind the Lines seam (order in, reply out).
+#pragma once
+
+#include <vector>
+
+#include "case/case.hpp"
+#include "environment/sea.hpp"
+#include "line_samples.hpp"
+#include "lines.hpp"
+#include "rod/rod_pack.hpp"
+
+namespace hawser::worker {
+
+class LocalLines final : public Lines {
+ public:
+    /// @param packs  indices into packs_of(input)
+    LocalLines(const Case& input, const std::vector<int>& packs, io::SeriesWriter* results);
+
+    void send(const Order& order) override;
+    const Reply& receive() override;
+
+    [[nodiscard]] const std::vector<RodPack<Quad>>& packs() const { return packs_; }
+
+ private:
+    void take_status(const Status& status);
+
+    Sea sea_;
+    std::vector<RodPack<Quad>> packs_;
+    LineSamples samples_;
+    Order order_;
+    /// Where lane i of pack p stands in the reply: ascending line order of this process.
+    std::vector<std::vector<std::size_t>> place_;
+    Reply reply_;
+};
+
+}  // namespace hawser::worker

@@ -1,0 +1,92 @@
+// Interpolation of coefficients over heading and frequency.
+#include <gtest/gtest.h>
+
+#include "component_table.hpp"
+#include "radiation.hpp"
+#include "spar_hull.hpp"
+
+namespace hawser::master {
+namespace {
+
+double interpolated(const std::vector<double>& headings, bool full, double b, double (*f)(double)) {
+    const HeadingWeights w = heading_weights(headings, full, b);
+    double sum = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+        sum += w.weight[k] * f(headings[static_cast<std::size_t>(w.index[k])]);
+    return sum;
+}
+
+std::vector<double> every(double degrees, double from, double to) {
+    std::vector<double> headings;
+    for (double b = from; b < to + 1e-9; b += degrees) headings.push_back(b * M_PI / 180);
+    return headings;
+}
+
+TEST(Headings, FullCircleInterpolatesACosineEverywhere) {
+    const auto circle = every(15, -165, 180);
+    for (double b = -7; b < 7; b += 0.1)
+        // Cubic Hermite with parabola slopes: error h^3 times third derivative, over about 60.
+        EXPECT_NEAR(interpolated(circle, true, b, [](double x) { return std::cos(x); }),
+                    std::cos(b), 7e-4);
+}
+
+TEST(Headings, SlopeIsContinuousAcrossTheSeamAt180) {
+    const auto circle = every(15, 0, 345);
+    const auto f = [](double x) { return std::sin(2 * x) + std::cos(x); };
+    const double h = 1e-4;
+    for (const double b : {0.0, M_PI, -M_PI, M_PI / 4}) {
+        const double before =
+            (interpolated(circle, true, b, f) - interpolated(circle, true, b - h, f)) / h;
+        const double after =
+            (interpolated(circle, true, b + h, f) - interpolated(circle, true, b, f)) / h;
+        EXPECT_NEAR(before, after, 3e-3);  // curvature times h
+    }
+}
+
+TEST(Headings, NothingIsExtrapolated) {
+    const auto quadrant = every(15, 0, 90);
+    const auto one = [](double) { return 1.0; };
+    EXPECT_NEAR(interpolated(quadrant, false, M_PI / 2, one), 1, 1e-15);
+    EXPECT_NEAR(interpolated(quadrant, false, 2 * M_PI, one), 1, 1e-15);
+    for (const double outside : {-0.01, M_PI / 2 + 0.01, M_PI}) {
+        try {
+            (void)heading_weights(quadrant, false, outside);
+            FAIL() << outside << " rad went through";
+        } catch (const RunError& e) {
+            EXPECT_NE(std::string(e.what()).find("0.00 to 90.00 deg"), std::string::npos);
+        }
+    }
+}
+
+TEST(Frequencies, WavesOutsideTheDatabaseAreRefused) {
+    const std::vector<WaveComponent> fast{{.amplitude = 1, .omega = 0.5},
+                                          {.amplitude = 0.2, .omega = 3.0}};
+    EXPECT_THROW(ComponentTable<CVec6>(spar_data().excitation, fast), RunError);
+    const std::vector<WaveComponent> hardly{{.amplitude = 1, .omega = 0.5},
+                                            {.amplitude = 0.05, .omega = 3.0}};
+    const ComponentTable<CVec6> table(spar_data().excitation, hardly);
+    // Beyond the table its end value is held.
+    const auto& first = spar_data().excitation.headings[0];
+    EXPECT_LT((table.at(1, table.weights(first.heading)) - first.values.back()).norm(),
+              1e-9 * first.values.back().norm());
+}
+
+TEST(Radiation, IsInterpolatedLinearlyAndNeverExtrapolated) {
+    const HydroData& d = spar_data();
+    EXPECT_EQ(radiation_at(d, d.frequencies[7]).added_mass, d.added_mass[7]);
+    const Radiation half = radiation_at(d, 0.5 * (d.frequencies[7] + d.frequencies[8]));
+    EXPECT_LT((half.damping - 0.5 * (d.damping[7] + d.damping[8])).norm(),
+              1e-12 * d.damping[8].norm());
+    EXPECT_EQ(radiation_at(d, 0).damping.norm(), 0);
+    EXPECT_THROW(radiation_at(d, 2.5), RunError);
+}
+
+TEST(Radiation, SparAddedMassAtTheSpectralPeakIsTheDatabases) {  // case notes, section 9.2
+    const Radiation r = radiation_at(spar_data(), 2 * M_PI / 15.6);
+    EXPECT_NEAR(r.added_mass(0, 0), 9.20e7, 0.01e7);
+    EXPECT_NEAR(r.added_mass(2, 2), 4.17e7, 0.01e7);
+    EXPECT_NEAR(r.added_mass(4, 4), 2.05e11, 0.01e11);
+}
+
+}  // namespace
+}  // namespace hawser::master

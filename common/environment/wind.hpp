@@ -16,8 +16,8 @@ struct GustComponent {
 /// Wind at one height. `constant`: the given speed at every height, no gusts. `npd`: the 1 h mean
 /// of the NPD profile and gusts of its spectrum, 1/600 to 0.5 Hz, as 200 components: one random
 /// frequency in each of 200 bins of equal width in ln f, carrying the exact energy of its bin. So
-/// the lines are 2.9 % of their frequency apart, two or three of them inside the resonance of a
-/// surge mode of 135 s with 5 % of damping, and the sum does not repeat.
+/// the lines are 2.9 % of their frequency apart, three or four of them inside the half-power width
+/// of a surge mode with 5 % of damping, and the sum does not repeat.
 class WindField {
  public:
     /// @param ramp    length of the ramp of the gusts [s]

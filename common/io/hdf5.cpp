@@ -98,12 +98,18 @@ void write_attribute(hid_t object, const std::string& name, hid_t type, const vo
     checked(H5Awrite(attribute.id(), type, value), "H5Awrite", place);
 }
 
+/// Of variable length, which readers take as text; of fixed length in a file that several ranks
+/// write, where HDF5 does not promise variable ones.
 void write_text_attribute(hid_t object, const std::string& name, const std::string& value,
-                          const std::string& place) {
-    const Hdf5Handle type = text_type(std::max<std::size_t>(value.size(), 1), place);
+                          bool collective, const std::string& place) {
+    if (!collective) {
+        const char* text = value.c_str();
+        write_attribute(object, name, text_type(0, place).id(), &text, place);
+        return;
+    }
     std::string padded = value;
     padded.resize(std::max<std::size_t>(value.size(), 1), '\0');
-    write_attribute(object, name, type.id(), padded.data(), place);
+    write_attribute(object, name, text_type(padded.size(), place).id(), padded.data(), place);
 }
 
 Hdf5Handle transfer_properties(bool collective, const std::string& place) {
@@ -234,7 +240,7 @@ std::vector<double> Hdf5Dataset::read_column(std::uint64_t column) const {
 }
 
 void Hdf5Dataset::attribute(const std::string& name, const std::string& value) {
-    write_text_attribute(id_.id(), name, value, place_);
+    write_text_attribute(id_.id(), name, value, collective_, place_);
 }
 
 // --- files -----------------------------------------------------------------------------------
@@ -496,7 +502,7 @@ void Hdf5File::attribute(const std::string& path, const std::string& name,
     const Hdf5Handle object(
         checked(H5Oopen(id_.id(), path.c_str(), H5P_DEFAULT), "H5Oopen", place(path)),
         close_object);
-    write_text_attribute(object.id(), name, value, place(path));
+    write_text_attribute(object.id(), name, value, collective_, place(path));
 }
 
 void Hdf5File::attribute(const std::string& path, const std::string& name, std::int64_t value) {
@@ -526,6 +532,13 @@ std::string Hdf5File::text_attribute(const std::string& path, const std::string&
                 "H5Aopen_by_name", where),
         close_attribute);
     const Hdf5Handle type(checked(H5Aget_type(attribute.id()), "H5Aget_type", where), close_type);
+    if (checked(H5Tis_variable_str(type.id()), "H5Tis_variable_str", where) > 0) {
+        char* text = nullptr;
+        checked(H5Aread(attribute.id(), type.id(), &text), "H5Aread", where);
+        std::string value = text != nullptr ? text : "";
+        checked(H5free_memory(text), "H5free_memory", where);
+        return value;
+    }
     std::string value(H5Tget_size(type.id()), '\0');
     checked(H5Aread(attribute.id(), type.id(), value.data()), "H5Aread", where);
     value.erase(std::find(value.begin(), value.end(), '\0'), value.end());

@@ -21,6 +21,13 @@ std::string cell(double x, int width, int decimals) {
     return fmt::format("{:>{}.{}f}", x, width, decimals);
 }
 
+/// A single figure with six digits, written out up to ten millions.
+std::string figure(double x) {
+    const double size = std::abs(x);
+    if (size >= 1e4 && size < 1e7) return fmt::format("{:.0f}", x);
+    return fmt::format("{:.6g}", x);
+}
+
 std::string heading(std::string_view text) {
     return fmt::format("\n{}\n{}\n", text, std::string(text.size(), '-'));
 }
@@ -67,8 +74,8 @@ std::string platform_text(const RunRecord& record) {
     for (const Fact& fact : record.platform) names.push_back(fact.description);
     const std::size_t width = widest(0, names);
     for (const Fact& fact : record.platform) {
-        out +=
-            fmt::format("{:<{}}  {:>12.6g} {}\n", fact.description, width, fact.value, fact.units);
+        out += fmt::format("{:<{}}  {:>12} {}\n", fact.description, width, figure(fact.value),
+                           fact.units);
     }
     if (record.statics && record.statics->platform) {
         const Vec3 x = record.statics->platform->position;
@@ -171,8 +178,8 @@ std::string performance_text(const RunRecord& record) {
     for (const Fact& fact : record.performance) names.push_back(fact.description);
     const std::size_t width = widest(0, names);
     for (const Fact& fact : record.performance) {
-        out +=
-            fmt::format("{:<{}}  {:>12.6g} {}\n", fact.description, width, fact.value, fact.units);
+        out += fmt::format("{:<{}}  {:>12} {}\n", fact.description, width, figure(fact.value),
+                           fact.units);
     }
     return out;
 }

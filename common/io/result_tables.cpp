@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <numbers>
+
+#include "io/result_fields.hpp"
+#include "io/result_parts.hpp"
+
+namespace hawser::io {
+namespace {
+
+constexpr double degrees = 180.0 / std::numbers::pi;
+
+}  // namespace
+
+std::vector<ChannelStatistics> result_statistics(const Hdf5File& result, const Case& input,
+                                                 double from) {
+    std::vector<ChannelStatistics> rows;
+    const std::vector<double> time = result.read("/time");
+    const auto add = [&](const std::string& channel, const std::string& units,
+                         const std::string& path, std::uint64_t column) {
+        const std::vector<double> x = result.dataset(path).read_column(column);
+        rows.push_back({channel, units, statistics_of(time, x, from)});
+    };
+    const std::string root = platform_path(input);
+    if (result.exists(root + "position")) {
+        const std::array<const char*, 6> motions{"surge", "sway", "heave", "roll", "pitch", "yaw"};
+        for (std::size_t k = 0; k < 6; ++k) {
+            add(root.substr(1) + motions[k], k < 3 ? "m" : "deg", root + "position", k);
+        }
+    }
+    for (const auto& [name, units] :
+         {std::pair{"elevation", "m"}, std::pair{"wind_speed", "m/s"}}) {
+        const std::string path = std::string("environment/") + name;
+        if (result.exists("/" + path)) add(path, units, "/" + path, 0);
+    }
+    for (const bool end_a : {true, false}) {
+        const std::string path = end_path(end_a, EndResult::effective_tension);
+        if (!result.exists(path)) continue;
+        for (std::size_t i = 0; i < input.lines.size(); ++i) {
+            const std::string& line = input.lines[i].name;
+            if (!is_recorded(input.output, line, end_a, EndResult::effective_tension)) continue;
+            add("line/" + line + (end_a ? "/end_a" : "/end_b") + "/effective_tension", "N", path,
+                i);
+        }
+    }
+    return rows;
+}
+
+void write_statics(Hdf5File& file, const Case& input, const StaticState& statics) {
+    if (statics.platform && input.platform) {
+        const Vec3 x = statics.platform->position, q = degrees * statics.platform->angles;
+        const std::array<double, 6> six{x[0], x[1], x[2], q[0], q[1], q[2]};
+        write_numbers(file, "/statics" + platform_path(input) + "position", six, {6},
+                      "m, m, m, deg, deg, deg",
+                      "Equilibrium under the mean loads: surge, sway, heave, roll, pitch, yaw");
+    }
+    if (!statics.end_a_tension.empty()) {
+        write_numbers(file, "/statics/lines/end_a/effective_tension", statics.end_a_tension,
+                      {statics.end_a_tension.size()}, "N",
+                      "Effective tension at end A in the equilibrium");
+    }
+}
+
+void write_statistics(Hdf5File& file, const std::vector<ChannelStatistics>& rows, double from) {
+    std::vector<std::string> channel, unit;
+    std::vector<std::int64_t> n;
+    std::array<std::vector<double>, 9> v;
+    for (const ChannelStatistics& row : rows) {
+        const Statistics& s = row.values;
+        channel.push_back(row.channel);
+        unit.push_back(row.units);
+        n.push_back(s.n);
+        const std::array<double, 9> values{s.mean,  s.std,      s.min,      s.t_min, s.max,
+                                           s.t_max, s.skewness, s.kurtosis, s.tz};
+        for (std::size_t k = 0; k < values.size(); ++k) v[k].push_back(values[k]);
+    }
+    file.write_table("/statistics/table", {{"channel", channel},
+                                           {"unit", unit},
+                                           {"n", n},
+                                           {"mean", v[0]},
+                                           {"std", v[1]},
+                                           {"min", v[2]},
+                                           {"t_min", v[3]},
+                                           {"max", v[4]},
+                                           {"t_max", v[5]},
+                                           {"skewness", v[6]},
+                                           {"kurtosis", v[7]},
+                                           {"tz", v[8]}});
+    describe(file, "/statistics/table", "see column unit; times in s",
+             fmt::format("Statistics of the samples from t = {} s on; tz: mean period of "
+                         "up-crossings of the mean",
+                         from));
+    write_numbers(file, "/statistics/from", {&from, 1}, {}, "s", "Start of the statistics");
+}
+
+void write_ledger(Hdf5File& file, const Case& input, const LedgerTable& ledger) {
+    const std::string root =
+        "/ledger/" + (input.platform ? input.platform->name : std::string("platform")) + "/";
+    const std::string units = "N, N, N, N.m, N.m, N.m";
+    const std::string span =
+        fmt::format(" from {} to {} s, about O, world axes", ledger.from, ledger.to);
+    file.write_texts(root + "components", ledger.components);
+    describe(file, root + "components", "", "Names of the rows of mean");
+    std::vector<double> mean;
+    for (const Vec6& row : ledger.mean) mean.insert(mean.end(), row.data(), row.data() + 6);
+    write_numbers(file, root + "mean", mean, {ledger.mean.size(), 6}, units,
+                  "Mean of each load component" + span);
+    const auto six = [&](const char* name, const Vec6& v, const char* what) {
+        write_numbers(file, root + name, {v.data(), 6}, {6}, units, what + span);
+    };
+    six("sum", ledger.sum, "Sum of the components");
+    six("momentum", ledger.momentum, "Mean of mass x acceleration, from the change of momentum");
+    six("residual", ledger.residual, "Sum of the components - mass x acceleration");
+}
+
+}  // namespace hawser::io

@@ -1,0 +1,197 @@
+// The joined result: its paths, shapes and attributes are those of the format, its data those of
+// the segments, whatever the segments' lengths.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <csignal>
+#include <fstream>
+
+#include "common/io/folder.hpp"
+#include "io/hdf5.hpp"
+#include "io/result_fields.hpp"
+#include "io/result_file.hpp"
+#include "io/series_file.hpp"
+#include "io/summary.hpp"
+#include "synthetic_run.hpp"
+
+namespace {
+
+using namespace hawser;
+using namespace hawser::io;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+ResultDigest finish(const fs::path& folder, const Case& input, int samples_per_segment) {
+    Link alone;
+    test::record_synthetic(folder, input, alone, samples_per_segment);
+    return write_result(folder, test::synthetic_record(input, 1));
+}
+
+TEST(Result, HasTheSameDataHoweverTheRunWasCutIntoSegments) {
+    const Case input = test::synthetic_spar(60.0);
+    const test::Folder folder;
+    fs::create_directories(folder.path / "one");
+    fs::create_directories(folder.path / "many");
+    finish(folder.path / "one", input, 1000);
+    finish(folder.path / "many", input, 7);
+    const Hdf5File one = Hdf5File::open(folder.path / "one" / "result.h5");
+    const Hdf5File many = Hdf5File::open(folder.path / "many" / "result.h5");
+    for (const char* path : {"/time", "/snapshot_time", "/platform/spar/position",
+                             "/lines/nodes/position", "/line/ml3/end_a/force"}) {
+        const std::vector<double> a = one.read(path), b = many.read(path);
+        EXPECT_FALSE(a.empty());
+        EXPECT_EQ(a, b) << path;
+    }
+    // 121 samples in segments of 7: all there, in order
+    EXPECT_EQ(one.read("/time").size(), 121u);
+    EXPECT_DOUBLE_EQ(one.read("/time").back(), 60.0);
+}
+
+TEST(Result, ReplacesTheSegments) {
+    const test::Folder folder;
+    finish(folder.path, test::synthetic_decay(20.0), 10);
+    EXPECT_TRUE(segment_files(folder.path).empty());
+    EXPECT_FALSE(fs::exists(folder.path / "result.h5.part"));
+}
+
+TEST(Result, ShowsEachLineUnderItsName) {
+    const Case input = test::synthetic_spar(10.0);
+    const test::Folder folder;
+    finish(folder.path, input, 1000);
+    const Hdf5File file = Hdf5File::open(folder.path / "result.h5");
+    EXPECT_EQ(file.read_texts("/lines/names").at(12), "scr_oil");
+    EXPECT_EQ(file.read_texts("/lines/family").at(12), "scr");
+    const std::vector<double> all = file.read("/lines/end_a/effective_tension");
+    const std::vector<double> oil = file.read("/line/scr_oil/end_a/effective_tension");
+    ASSERT_EQ(oil.size(), 21u);
+    for (std::size_t i = 0; i < oil.size(); ++i) EXPECT_EQ(oil[i], all[16 * i + 12]);
+    // its nodes stand from first[12] to first[13] - 1
+    const std::vector<double> first = file.read("/lines/nodes/first");
+    const Extent shape = file.dataset("/line/scr_oil/nodes/position").shape();
+    EXPECT_EQ(static_cast<double>(shape.at(1)), first[13] - first[12]);
+    EXPECT_EQ(first.back(), static_cast<double>(file.read("/lines/nodes/arc_length").size()));
+}
+
+TEST(Result, LeavesColumnsThatNobodyAskedForEmpty) {
+    const Case input = test::synthetic_spar(10.0);  // forces of the mooring lines only
+    const test::Folder folder;
+    finish(folder.path, input, 1000);
+    const Hdf5File file = Hdf5File::open(folder.path / "result.h5");
+    for (const double x : file.dataset("/lines/end_a/force").read_column(3 * 12)) {
+        EXPECT_TRUE(std::isnan(x));
+    }
+    EXPECT_FALSE(file.exists("/line/scr_oil/end_a/force"));
+    EXPECT_FALSE(file.exists("/lines/end_a/moment"));
+    EXPECT_TRUE(file.exists("/line/ml1/end_a/force"));
+}
+
+void expect_described(const Hdf5File& file, const std::string& path, bool is_group) {
+    if (!is_group) {
+        EXPECT_NO_THROW((void)file.text_attribute(path, "units")) << path;
+        EXPECT_FALSE(file.text_attribute(path, "description").empty()) << path;
+        return;
+    }
+    for (const std::string& name : file.children(path)) {
+        const std::string child = (path == "/" ? "" : path) + "/" + name;
+        bool group = true;
+        try {
+            (void)file.children(child);
+        } catch (const RunError&) {
+            group = false;
+        }
+        expect_described(file, child, group);
+    }
+}
+
+TEST(Result, DescribesEveryDataset) {
+    const test::Folder folder;
+    finish(folder.path, test::synthetic_spar(10.0), 1000);
+    expect_described(Hdf5File::open(folder.path / "result.h5"), "/", true);
+}
+
+TEST(Result, OfARunThatFailedBeforeItsFirstSampleStillHoldsTheInput) {
+    const test::Folder folder;
+    RunRecord record = test::synthetic_record(test::synthetic_spar(10.0), 1);
+    record.complete = false;
+    record.outcome = "no static equilibrium";
+    record.ledger.reset();
+    record.statics.reset();
+    const ResultDigest digest = write_result(folder.path, record);
+    EXPECT_EQ(digest.samples, 0);
+    EXPECT_THAT(summary_text(record, digest), HasSubstr("NOT COMPLETE: no static equilibrium"));
+    EXPECT_EQ(Hdf5File::open(folder.path / "result.h5").read_text("/input/case"), record.resolved);
+}
+
+TEST(Result, DigestsStatisticsAndTheStart) {
+    const Case input = test::synthetic_spar(60.0);
+    const test::Folder folder;
+    const ResultDigest digest = finish(folder.path, input, 1000);
+    ASSERT_EQ(digest.statistics.size(), 6u + 2u + 16u + 12u);
+    EXPECT_EQ(digest.statistics[0].channel, "platform/spar/surge");
+    EXPECT_EQ(digest.statistics[8].channel, "line/ml1/end_a/effective_tension");
+    EXPECT_EQ(digest.statistics[0].values.n, 61);  // 30 s to 60 s
+    EXPECT_NEAR(digest.lines[0].end_a_declination, 55.0, 1e-12);
+    EXPECT_TRUE(std::isnan(digest.lines[12].end_a_declination));
+    // the last 7 % of 2499 m lie on the seabed, in the last section of four elements, 122 m
+    EXPECT_NEAR(digest.lines[0].grounded, 122.0, 1e-9);
+}
+
+TEST(Summary, TellsTheWeightOfALineInWater) {
+    Case input = test::synthetic_chain(10.0);
+    const Line& line = input.lines[0];
+    // (100 kg/m - 1025 kg/m3 x 0.013 m2) x 60 m x g
+    EXPECT_NEAR(submerged_weight(line, input), (100.0 - 13.325) * 60.0 * 9.80665, 1e-6);
+}
+
+TEST(Summary, WritesOneRowPerChannelThatReadsBackExactly) {
+    const Statistics s{.n = 3,
+                       .mean = 0.1,
+                       .std = 1.0 / 3.0,
+                       .min = -1,
+                       .t_min = 2,
+                       .max = 4,
+                       .t_max = 5,
+                       .skewness = 0,
+                       .kurtosis = 3,
+                       .tz = std::nan("")};
+    const std::string csv = statistics_csv({{"platform/spar/surge", "m", s}});
+    EXPECT_THAT(csv, HasSubstr("\nplatform/spar/surge,m,3,0.1,0.3333333333333333,-1,2,4,5,0,3,\n"));
+}
+
+TEST(Selection, MatchesGlobs) {
+    EXPECT_TRUE(matches("ml*", "ml12"));
+    EXPECT_TRUE(matches("*", ""));
+    EXPECT_TRUE(matches("scr_?as", "scr_gas"));
+    EXPECT_TRUE(matches("*prod*1", "scr_prod1"));
+    EXPECT_FALSE(matches("ml*", "scr_ml"));
+    EXPECT_FALSE(matches("ml?", "ml12"));
+}
+
+TEST(Segments, ThatFindNoRoomAreErrorsOfInputAndOutputWithPathAndCall) {
+    const test::Folder folder;
+    const Case input = test::synthetic_spar(60.0);
+    // A limit on the size of files stands for the full disk; the signal it sends is ignored.
+    const auto before = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit{};
+    getrlimit(RLIMIT_FSIZE, &limit);
+    const rlimit small{.rlim_cur = 20000, .rlim_max = limit.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    std::string words;
+    try {
+        Link alone;
+        test::record_synthetic(folder.path, input, alone, 1000);
+    } catch (const RunError& error) {
+        EXPECT_EQ(error.code(), ExitCode::io);
+        words = error.what();
+    }
+    setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, before);
+    EXPECT_THAT(words, HasSubstr("segment_00001.h5.part"));
+    EXPECT_THAT(words, HasSubstr("H5"));
+    EXPECT_THAT(words, HasSubstr("File too large"));
+    EXPECT_TRUE(segment_files(folder.path).empty());  // nothing is called saved that is not
+}
+
+}  // namespace

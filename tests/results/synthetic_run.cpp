@@ -1,0 +1,339 @@
+#include "synthetic_run.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "io/result_fields.hpp"
+#include "io/series_file.hpp"
+#include "line_mesh.hpp"
+
+namespace hawser::test {
+namespace {
+
+using io::Clock;
+using io::EndResult;
+using std::numbers::pi;
+
+Vec3 platform_at(const Case& input, double t) {
+    if (!input.platform) return Vec3::Zero();
+    if (input.lines.empty()) {
+        return {0.0, 0.0, 5.0 * std::exp(-0.004 * t) * std::cos(2 * pi * t / 23.7)};
+    }
+    return {31.0 + 6.0 * std::sin(2 * pi * t / 135.0) + 1.5 * std::sin(2 * pi * t / 15.1),  //
+            0.8 * std::sin(2 * pi * t / 128.0),                                             //
+            -0.6 + 1.1 * std::sin(2 * pi * t / 14.8 + 0.4)};
+}
+
+Vec3 angles_at(const Case& input, double t) {  // [deg]
+    if (input.lines.empty()) return Vec3::Zero();
+    return {0.05 * std::sin(2 * pi * t / 43.0), 2.4 + 1.2 * std::sin(2 * pi * t / 50.0 + 1.0),
+            0.3 * std::sin(2 * pi * t / 46.0)};
+}
+
+/// A line from end A to the seabed: a parabola down to a touchdown, flat from there.
+Vec3 node_at(const Case& input, const Line& line, double fraction, double t) {
+    const Vec3 a = line.end_a.position + platform_at(input, t);
+    const double depth = input.environment.seabed.depth;
+    if (line.end_b.kind == EndKind::free) return a - Vec3(0.0, 0.0, line.length() * fraction);
+    const Vec3 b(line.end_b.position.x(), line.end_b.position.y(), -depth);
+    const double touch = line.family == "scr" ? 0.62 : 0.93;
+    const double q = std::min(fraction / touch, 1.0);
+    const double power = line.family == "scr" ? 2.6 : 1.35;
+    Vec3 r = a + fraction * (b - a);
+    r.z() = -depth + (a.z() + depth) * std::pow(1.0 - q, power);
+    if (line.family == "scr" && fraction < touch) {  // steep at the top
+        const double s = std::pow(q, 1.8) * touch;
+        r.head<2>() = (a + s * (b - a)).head<2>();
+    }
+    return r;
+}
+
+double tension_at(const Case& input, std::size_t line, double t) {
+    const Line& l = input.lines[line];
+    if (!input.platform) return 60e3 + 9e3 * std::sin(2 * pi * t / 10.0);
+    const double pull = -std::cos(l.azimuth) * (platform_at(input, t).x() - 10.0);
+    const double base = l.family == "scr" ? 2300e3 : 2600e3;
+    return base + 45e3 * pull * (l.family == "scr" ? 0.1 : 1.0) +
+           60e3 * std::sin(2 * pi * t / 15.1 + static_cast<double>(line));
+}
+
+LineType type_of(const std::string& name, double mass, double diameter, double area) {
+    LineType type;
+    type.name = name;
+    type.category = "general";
+    type.mass = mass;
+    type.outer_diameter = diameter;
+    type.displaced_area = area;
+    return type;
+}
+
+Case hull_case(double duration) {
+    Case c;
+    c.name = "synthetic";
+    c.environment.seabed.depth = 1500.0;
+    Platform p;
+    p.name = "spar";
+    p.draft = 175.0;
+    p.members.resize(3);
+    p.members[0] = {.name = "hard tank", .from = {0, 0, 19}, .to = {0, 0, -70}, .diameter = 40.0};
+    p.members[1] = {.name = "truss", .from = {0, 0, -70}, .to = {0, 0, -165}, .diameter = 12.0};
+    p.members[2] = {
+        .name = "soft tank", .from = {0, 0, -165}, .to = {0, 0, -175}, .diameter = 40.0};
+    for (const double z : {-95.0, -115.0, -135.0}) {
+        Plate plate;
+        plate.name = "heave plates";
+        plate.position = {0, 0, z};
+        plate.area = 900.0;
+        p.plates.push_back(plate);
+    }
+    c.platform = p;
+    c.output.interval = 0.5;
+    c.output.platform_loads = true;
+    c.analysis.dynamics.duration = duration;
+    c.analysis.dynamics.statistics_from = duration / 2;
+    return c;
+}
+
+}  // namespace
+
+Case synthetic_decay(double duration) {
+    Case c = hull_case(duration);
+    c.title = "Heave decay of a truss spar";
+    c.analysis.dynamics.statistics_from = 0.0;
+    return c;
+}
+
+Case synthetic_spar(double duration) {
+    Case c = hull_case(duration);
+    c.title = "Truss spar, 100-year hurricane, 1500 m";
+    WaveTrain wave;
+    wave.type = WaveType::jonswap;
+    wave.Hs = 15.2;
+    wave.Tp = 15.6;
+    c.environment.waves = {wave};
+    c.environment.current = Current{.heading = 0.0, .profile = {{0.0, 1.9, {}}, {75.0, 0.0, {}}}};
+    c.environment.wind = Wind{.spectrum = WindSpectrum::npd, .speed = 45.0};
+    c.line_types = {type_of("chain", 589.0, 0.172, 0.075), type_of("polyester", 57.1, 0.29, 0.0414),
+                    type_of("scr", 230.0, 0.324, 0.0824)};
+    for (int i = 0; i < 12; ++i) {
+        Line line;
+        line.name = "ml" + std::to_string(i + 1);
+        line.family = "mooring";
+        line.azimuth = (120.0 * (i / 4) + 5.0 * (i % 4 - 1.5)) * pi / 180.0;
+        const Vec3 out(std::cos(line.azimuth), std::sin(line.azimuth), 0.0);
+        line.end_a.kind = EndKind::platform;
+        line.end_a.position = 20.5 * out - 60.0 * Vec3::UnitZ();
+        line.end_b.kind = EndKind::anchor;
+        line.end_b.position = 2068.0 * out - 1500.0 * Vec3::UnitZ();
+        line.sections = {{0, 91.0, 2}, {1, 2286.0, 14}, {0, 122.0, 4}};
+        c.lines.push_back(line);
+    }
+    const std::array<const char*, 4> risers{"scr_oil", "scr_gas", "scr_prod1", "scr_prod2"};
+    const std::array<double, 4> azimuths{60.0, 300.0, 170.0, 190.0};
+    for (std::size_t i = 0; i < 4; ++i) {
+        Line line;
+        line.name = risers[i];
+        line.family = "scr";
+        line.azimuth = azimuths[i] * pi / 180.0;
+        const Vec3 out(std::cos(line.azimuth), std::sin(line.azimuth), 0.0);
+        line.end_a.kind = EndKind::platform;
+        line.end_a.position = 20.0 * out - 172.0 * Vec3::UnitZ();
+        line.end_b.kind = EndKind::anchor;
+        line.end_b.position = 1517.0 * out - 1500.0 * Vec3::UnitZ();
+        line.sections = {{2, 1250.0, 12}, {2, 750.0, 16}, {2, 400.0, 4}};
+        c.lines.push_back(line);
+    }
+    c.output.snapshots = 2.0;
+    LineOutput all, more;
+    more.select = "ml*";
+    more.end_b = true;
+    more.declination = more.azimuth = more.force = true;
+    c.output.lines = {all, more};
+    return c;
+}
+
+Case synthetic_chain(double duration) {
+    Case c;
+    c.name = "synthetic";
+    c.title = "Hanging chain, top moved sideways";
+    c.environment.seabed.depth = 100.0;
+    c.line_types = {type_of("chain", 100.0, 0.08, 0.013)};
+    Line line;
+    line.name = line.family = "chain";
+    line.end_a.kind = EndKind::fixed;
+    line.end_a.position = Vec3(0, 0, -5.0);
+    line.end_b.kind = EndKind::free;
+    line.sections = {{0, 60.0, 20}};
+    c.lines = {line};
+    c.output.interval = 0.5;
+    c.output.snapshots = 1.0;
+    c.output.lines = {LineOutput{}};
+    c.analysis.dynamics.duration = duration;
+    c.analysis.dynamics.statistics_from = duration / 4;
+    return c;
+}
+
+void record_synthetic(const std::filesystem::path& folder, const Case& input, io::Link& link,
+                      int samples_per_segment, const std::function<void(int)>& after_segment) {
+    std::vector<int> nodes;
+    std::vector<LineMesh> meshes;
+    for (const Line& line : input.lines) {
+        meshes.push_back(mesh_of(line));
+        nodes.push_back(static_cast<int>(meshes.back().arc_length.size()));
+    }
+    io::SeriesWriter writer(folder, io::result_fields(input, nodes), link);
+
+    std::vector<std::size_t> mine;
+    for (std::size_t i = 0; i < input.lines.size(); ++i) {
+        if (static_cast<int>(i * 7 % static_cast<std::size_t>(link.size())) == link.rank())
+            mine.push_back(i);
+    }
+    // Everything of the platform belongs to rank 0; of the lines, whole lines to their rank.
+    for (std::size_t f = 0; f < writer.fields().size(); ++f) {
+        const io::SeriesField& field = writer.fields()[f];
+        std::vector<int> columns;
+        if (field.path == "/lines/nodes/position") {
+            for (const std::size_t i : mine) {
+                int first = 0;
+                for (std::size_t k = 0; k < i; ++k) first += 3 * nodes[k];
+                for (int k = 0; k < 3 * nodes[i]; ++k) columns.push_back(first + k);
+            }
+        } else if (field.path.starts_with("/lines")) {
+            const bool end_a = field.path.find("/end_a/") != std::string::npos;
+            for (const std::size_t i : mine) {
+                for (const EndResult result : io::end_results) {
+                    if (field.path != io::end_path(end_a, result) ||
+                        !io::is_recorded(input.output, input.lines[i].name, end_a, result))
+                        continue;
+                    const int inner = field.shape.size() == 2 ? 3 : 1;
+                    for (int k = 0; k < inner; ++k) {
+                        columns.push_back(inner * static_cast<int>(i) + k);
+                    }
+                }
+            }
+        } else if (link.rank() == 0) {
+            for (int k = 0; k < field.width(); ++k) columns.push_back(k);
+        }
+        writer.provide(static_cast<int>(f), columns);
+    }
+
+    const double D = input.output.interval;
+    const int steps = static_cast<int>(std::lround(input.analysis.dynamics.duration / D));
+    const int every =
+        input.output.snapshots ? static_cast<int>(std::lround(*input.output.snapshots / D)) : 0;
+    std::vector<double> values;
+    for (int step = 0; step <= steps; ++step) {
+        const double t = step * D;
+        writer.add_time(Clock::sample, t);
+        const bool snapshot = every > 0 && step % every == 0;
+        if (snapshot) writer.add_time(Clock::snapshot, t);
+        for (std::size_t f = 0; f < writer.fields().size(); ++f) {
+            const io::SeriesField& field = writer.fields()[f];
+            if (field.clock == Clock::snapshot && !snapshot) continue;
+            values.clear();
+            const bool end_a = field.path.find("/end_a/") != std::string::npos;
+            if (field.path == "/lines/nodes/position") {
+                for (const std::size_t i : mine) {
+                    for (const double s : meshes[i].arc_length) {
+                        const Vec3 r =
+                            node_at(input, input.lines[i], s / input.lines[i].length(), t);
+                        values.insert(values.end(), r.data(), r.data() + 3);
+                    }
+                }
+            } else if (field.path.starts_with("/lines")) {
+                for (const std::size_t i : mine) {
+                    for (const EndResult result : io::end_results) {
+                        if (field.path != io::end_path(end_a, result) ||
+                            !io::is_recorded(input.output, input.lines[i].name, end_a, result))
+                            continue;
+                        const double T = tension_at(input, i, t) * (end_a ? 1.0 : 0.85);
+                        switch (result) {
+                            case EndResult::effective_tension:
+                                values.push_back(T);
+                                break;
+                            case EndResult::declination:
+                                values.push_back(55.0);
+                                break;
+                            case EndResult::azimuth:
+                                values.push_back(input.lines[i].azimuth * 180 / pi);
+                                break;
+                            case EndResult::force:
+                            case EndResult::moment:
+                                values.insert(values.end(), {T, 0.5 * T, -T});
+                                break;
+                        }
+                    }
+                }
+            } else if (link.rank() == 0) {
+                const Vec3 x = platform_at(input, t), q = angles_at(input, t);
+                if (field.path.ends_with("/position")) {
+                    values = {x[0], x[1], x[2], q[0], q[1], q[2]};
+                } else if (field.path == "/environment/elevation") {
+                    values = {5.0 * std::sin(2 * pi * t / 15.6) +
+                              2.0 * std::sin(2 * pi * t / 11.3)};
+                } else if (field.path == "/environment/wind_speed") {
+                    values = {55.8 + 6.0 * std::sin(2 * pi * t / 71.0) +
+                              2.0 * std::sin(2 * pi * t / 13.0)};
+                } else {
+                    for (int k = 0; k < field.width(); ++k) values.push_back(std::sin(0.1 * t + k));
+                }
+            }
+            writer.put(static_cast<int>(f), values);
+        }
+        if ((step + 1) % samples_per_segment == 0 || step == steps) {
+            writer.write_segment();
+            if (after_segment) after_segment(writer.segments());
+        }
+    }
+}
+
+io::RunRecord synthetic_record(const Case& input, int ranks) {
+    io::RunRecord record;
+    record.input = input;
+    record.resolved = "format: 1\ntitle: " + input.title + "\n";
+    record.sources = {{"synthetic.yml", "format: 1\n"}};
+    record.version = "0";
+    record.build = "test";
+    record.command = "synthetic";
+    record.ranks = ranks;
+    record.complete = true;
+    record.outcome = "done";
+    record.statics = io::StaticState{};
+    if (input.platform) {
+        record.statics->platform = PlatformMotion{.position = platform_at(input, 0.0)};
+        record.platform = {{"mass", "t", "mass", 98434.0},
+                           {"buoyancy", "kN", "acting buoyancy", 1017940.0}};
+        LedgerTable ledger;
+        const std::vector<std::pair<std::string, Vec6>> rows{
+            {"wave1", (Vec6() << 1e4, 2e3, 5e4, 1e6, 3e6, 0).finished()},
+            {"drift", (Vec6() << 6.2e5, 0, 0, 0, -1e6, 2e5).finished()},
+            {"radiation", (Vec6() << 0, 0, 100, 0, 0, 0).finished()},
+            {"hydrostatic", (Vec6() << 0, 0, 1.0179e9, 0, -3e9, 0).finished()},
+            {"weight", (Vec6() << 0, 0, -9.653e8, 0, 3.2e9, 0).finished()},
+            {"members", (Vec6() << 1.2e6, 3e3, 1e4, 2e6, -8e7, 0).finished()},
+            {"plates", (Vec6() << 0, 0, -2e4, 0, 5e5, 0).finished()},
+            {"current", (Vec6() << 3.3e6, 0, 0, 0, -9e7, 0).finished()},
+            {"wind", (Vec6() << 4.8e6, 0, 0, 0, 2.16e8, 0).finished()},
+            {"damping", (Vec6() << 0, 0, 0, 0, 0, 1e3).finished()}};
+        for (const auto& [name, mean] : rows)
+            ledger.components.push_back(name), ledger.mean.push_back(mean);
+        Vec6 lines = Vec6::Zero();
+        for (const Vec6& row : ledger.mean) lines -= row;
+        if (!input.lines.empty()) {
+            for (const auto& [name, share] : {std::pair{"mooring", 0.9}, std::pair{"scr", 0.1}}) {
+                ledger.components.emplace_back(name);
+                ledger.mean.emplace_back(share * lines);
+            }
+        }
+        for (const Vec6& row : ledger.mean) ledger.sum += row;
+        ledger.residual = ledger.sum;
+        ledger.from = input.analysis.dynamics.statistics_from;
+        ledger.to = input.analysis.dynamics.duration;
+        record.ledger = ledger;
+    }
+    record.performance = {{"wall", "s", "wall time of the time loop", 12.3},
+                          {"cpu_per_second", "s/s", "user CPU time per simulated second", 0.06}};
+    return record;
+}
+
+}  // namespace hawser::test

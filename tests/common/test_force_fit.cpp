@@ -20,7 +20,7 @@ TEST(ForceFit, InstantaneousIsTheLastValue) {
     for (int n : {1, 2, 25}) EXPECT_EQ(fitted(ForceFit::instantaneous, n, exp), exp(1.0));
 }
 
-TEST(ForceFit, IsTheLeastSquaresPolynomialAtTheEnd) {
+TEST(ForceFit, IsTheLeastSquaresPolynomialAtTheEnd) {  // P:4
     for (const auto& [fit, degree] :
          {std::pair{ForceFit::linear_fit, 1}, std::pair{ForceFit::quadratic_fit, 2}})
         for (int n = degree; n <= 40; n += 3) {

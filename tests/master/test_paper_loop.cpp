@@ -187,7 +187,7 @@ TEST(PaperLoop, SendsEveryPassFromTheKeptStateAndKeepsTheLastOnly) {
     EXPECT_EQ(run.times, (std::vector<double>{0.0, D, 2 * D, 3 * D}));
 }
 
-TEST(PaperLoop, LoadsTheHullWhileTheLinesRunAndReusesTheLastRate) {
+TEST(PaperLoop, LoadsTheHullWhileTheLinesRunAndReusesTheLastRate) {  // P:2
     const Recorded run = recorded_run(0.3, 2);
     std::vector<std::string> expected{"loads"};  // the static start
     for (int pass = 0; pass < 8; ++pass)

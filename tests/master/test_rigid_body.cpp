@@ -31,7 +31,7 @@ Vec3 angular_momentum_about_origin(const Hull& hull, const State& s) {
     return p.tail<3>() + motion_of(s).position.cross(Vec3(p.head<3>()));
 }
 
-TEST(TorqueFreeTop, KeepsEnergyMomentumAndAngularMomentum) {  // K:4
+TEST(TorqueFreeTop, KeepsEnergyMomentumAndAngularMomentum) {  // K:4, P:1
     const Hull hull(top_case(), nullptr);
     State s = State::Zero();
     set_motion(s, {.position = {1, 2, -3},

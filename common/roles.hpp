@@ -2,11 +2,15 @@
 // others are workers (lines); alone, one process is both. master/ and worker/ define these.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "case/case.hpp"
 #include "lines.hpp"
+#include "status.hpp"
 
 namespace hawser {
 
@@ -14,6 +18,25 @@ namespace io {
 class Link;
 class SeriesWriter;
 }  // namespace io
+
+enum class ProgressStyle { automatic, bar, lines, none };
+
+/// What a run is told beside its case. Workers need the folder only.
+struct RunRequest {
+    std::filesystem::path folder;
+    bool force = false;    ///< replace an earlier result
+    std::string resolved;  ///< text of the case, every default filled in
+    std::vector<std::pair<std::string, std::string>> sources;  ///< file name, text
+    std::vector<std::string> notes;                            ///< warnings of the check
+    std::string command, version, build;                       ///< for the result's attributes
+    ProgressStyle progress = ProgressStyle::automatic;
+    bool quiet = false;
+};
+
+/// Rank 0 of a run, or all of it if the link is alone. Every rank returns the same exit code.
+ExitCode run_master(const Case& input, const RunRequest& request, io::Link& link);
+/// All other ranks.
+ExitCode run_worker(const Case& input, const RunRequest& request, io::Link& link);
 
 /// The lines of these packs (indices into packs_of(input)), computed in this process. Replies carry
 /// this process's lines only, in ascending line order; of several failing lines the first in line

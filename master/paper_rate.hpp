@@ -56,7 +56,12 @@ class PaperRate {
         next_.to = motion_of(s);
         lines_.send(next_);
         next_ = Order{};
-        loads_ = platform_.loads(t1, s);
+        try {
+            loads_ = platform_.loads(t1, s);
+        } catch (...) {
+            lines_.receive();  // every order is answered, also when the hull fails meanwhile
+            throw;
+        }
         const Reply& reply = lines_.receive();
         if (!reply.status.ok()) throw LinesFailed(reply.status, stage);
         reply_.lines = reply.lines;

@@ -1,35 +1,39 @@
 #include "worker_loop.hpp"
 
-#include <chrono>
 #include <vector>
 
+#include "clocks.hpp"
+#include "io/series_file.hpp"
 #include "message.hpp"
 
 namespace hawser::worker {
 
-namespace {
-double seconds() {
-    using Clock = std::chrono::steady_clock;
-    return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-}
-}  // namespace
-
-WorkerTimes worker_loop(const io::Link& link, Lines& lines, io::SeriesWriter*) {
-    WorkerTimes times;
+io::RankTimes worker_loop(const io::Link& link, Lines& lines, io::SeriesWriter* results) {
+    io::RankTimes times;
+    bool running = false;  // a pass has been made
+    double cpu = 0.0, idle = 0.0;
     std::vector<double> message;
     for (bool more = true; more;) {
-        const double idle = seconds();
+        if (running) idle = wall_seconds();
         OrderMessage sent{};
         link.broadcast(sent);
-        const double start = seconds();
         const Order order = unpack(sent);
-        lines.send(order);  // the flags first
+        const double start = wall_seconds();
+        if (order.ask == Ask::run_to && !running) {
+            running = true;
+            cpu = user_cpu_seconds();
+            idle = start;
+        }
+        if (order.sample) results->add_time(io::Clock::sample, order.t0);
+        if (order.snapshot) results->add_time(io::Clock::snapshot, order.t0);
+        lines.send(order);  // keeps and samples
+        if (order.write_segment) results->write_segment();
         switch (order.ask) {
             case Ask::run_to:
             case Ask::equilibrium: {
                 const Reply& reply = lines.receive();
-                message.resize(static_cast<size_t>(
-                    reply_numbers(order.ask, static_cast<int>(reply.lines.size()))));
+                const int n = static_cast<int>(reply.lines.size());
+                message.resize(static_cast<std::size_t>(reply_numbers(order.ask, n)));
                 pack_reply_to(reply, order.ask, message);
                 break;
             }
@@ -37,11 +41,13 @@ WorkerTimes worker_loop(const io::Link& link, Lines& lines, io::SeriesWriter*) {
                 more = false;
                 break;
         }
-        const double done = seconds();
-        times.waited += start - idle;
-        times.busy += done - start;
+        if (running) {
+            times.waited += start - idle;
+            times.busy += wall_seconds() - start;
+        }
         if (more) link.gather(message, {}, {});
     }
+    if (running) times.user_cpu = user_cpu_seconds() - cpu;
     return times;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/link.hpp"
+#include "io/rank_times.hpp"
 #include "lines.hpp"
 
 namespace hawser::io {
@@ -10,12 +11,9 @@ class SeriesWriter;
 
 namespace hawser::worker {
 
-struct WorkerTimes {
-    double busy = 0.0, waited = 0.0;  ///< [s] carrying out orders; waiting for them
-};
-
 /// @param lines   this rank's lines, replying in ascending line order
 /// @param results null: nothing is recorded (the master then sets no flags)
-WorkerTimes worker_loop(const io::Link& link, Lines& lines, io::SeriesWriter* results);
+/// @return where the time went from the first pass on
+io::RankTimes worker_loop(const io::Link& link, Lines& lines, io::SeriesWriter* results);
 
 }  // namespace hawser::worker

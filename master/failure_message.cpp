@@ -1,0 +1,66 @@
+#include "failure_message.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "line_mesh.hpp"
+
+namespace hawser::master {
+
+double largest_cfl(const Line& line, const Case& input) {
+    const LineMesh mesh = mesh_of(line);
+    const double h = line.time_step.value_or(input.analysis.dynamics.line_step);
+    double largest = 0.0;
+    for (int e = 0; e < mesh.elements(); ++e) {
+        const auto i = static_cast<std::size_t>(e);
+        const Section& section = line.sections[static_cast<std::size_t>(mesh.section[i])];
+        const LineType& type = input.line_types[static_cast<std::size_t>(section.type)];
+        const double length = mesh.arc_length[i + 1] - mesh.arc_length[i];
+        largest = std::max(largest, std::sqrt(type.EA / type.mass) * h / length);
+    }
+    return largest;
+}
+
+std::string failure_message(const Status& status, const Case& input, int stage) {
+    const bool known = status.line >= 0 && status.line < static_cast<int>(input.lines.size());
+    const Line* line = known ? &input.lines[static_cast<std::size_t>(status.line)] : nullptr;
+    const std::string name = known ? line->name : "lines";
+    const std::string where = fmt::format("s = {:.0f} m", status.arc_length);
+    std::string when = fmt::format("{}, t = {:.2f} s", name, status.t);
+    if (stage > 0) when += fmt::format(", stage {}", stage);
+    const std::string cfl =
+        known ? fmt::format("largest element CFL number {:.2g}", largest_cfl(*line, input)) : "";
+    switch (status.code) {
+        case Status::Code::ok:
+            return when + ": no failure";
+        case Status::Code::not_converged:
+            return fmt::format(
+                "{}: Newton residual {:.2g} N after {} iterations, largest at {}; likely cause: a "
+                "step too long for what happens there ({}); try a shorter "
+                "analysis.dynamics.steps.lines or steps.platform, or shorter elements",
+                when, status.residual, status.iterations, where, cfl);
+        case Status::Code::not_finite:
+            return fmt::format(
+                "{}: a number is not finite at {}; likely cause: an unstable coupling or a load "
+                "without bound ({}); try a shorter analysis.dynamics.steps.platform, or look at "
+                "the stiffness and mass of the line there",
+                when, where, cfl);
+        case Status::Code::no_equilibrium:
+            return fmt::format(
+                "{}: no static solution after {} iterations, largest position correction {:.2g} m "
+                "at {}; likely cause: a line too short for its ends, an anchor off the seabed, or "
+                "a line type lighter than water",
+                name, status.iterations, status.residual, where);
+        case Status::Code::false_equilibrium:
+            return fmt::format(
+                "{}: the static solution found is not a hanging line (compressed or folded at "
+                "{}); likely cause: a line longer than its layout allows, or a section lighter "
+                "than water",
+                name, where);
+    }
+    return when;
+}
+
+}  // namespace hawser::master

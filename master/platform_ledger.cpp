@@ -1,0 +1,45 @@
+#include "platform_ledger.hpp"
+
+#include <algorithm>
+
+namespace hawser::master {
+
+namespace {
+
+/// The hull's components without `lines`, then the families in the order they first appear.
+std::vector<std::string> ledger_components(const Case& input) {
+    std::vector<std::string> names;
+    for (const std::string_view name : load_names)
+        if (name != "lines") names.emplace_back(name);
+    const std::size_t hull_names = names.size();
+    for (const Line& line : input.lines)
+        if (std::find(names.begin() + static_cast<long>(hull_names), names.end(), line.family) ==
+            names.end())
+            names.push_back(line.family);
+    return names;
+}
+
+}  // namespace
+
+PlatformLedger::PlatformLedger(const Case& input)
+    : from_(input.analysis.dynamics.statistics_from), ledger_(ledger_components(input)) {
+    const std::vector<std::string> names = ledger_components(input);
+    for (const Line& line : input.lines)  // from the end: a family may be called like a load
+        family_.push_back(static_cast<std::size_t>(
+            names.rend() - std::find(names.rbegin(), names.rend(), line.family) - 1));
+    loads_.resize(names.size());
+}
+
+void PlatformLedger::add(double t, const HullLoads& loads, const Reply& lines, const Vec6& momentum,
+                         const Vec3& velocity) {
+    if (t < from_ - 1e-9) return;
+    std::fill(loads_.begin(), loads_.end(), Vec6::Zero());
+    std::size_t k = 0;
+    for (int i = 0; i < load_count; ++i)
+        if (static_cast<Load>(i) != Load::lines) loads_[k++] = loads[static_cast<Load>(i)];
+    for (std::size_t i = 0; i < family_.size(); ++i) loads_[family_[i]] += lines.lines[i].wrench;
+    ledger_.add(t, loads_, momentum, velocity);
+    ++states_;
+}
+
+}  // namespace hawser::master

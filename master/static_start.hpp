@@ -1,0 +1,27 @@
+// From where a run starts: the common equilibrium of platform and lines under the mean loads, and
+// the offset that the case adds to it. R section 9.1; case key `platform.mass: auto`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "hull.hpp"
+#include "lines.hpp"
+
+namespace hawser::master {
+
+struct StaticStart {
+    PlatformMotion equilibrium;       ///< at rest under the mean loads
+    PlatformMotion start;             ///< with `platform.initial` added
+    Reply lines;                      ///< static loads at `start`
+    double vertical_line_load = 0.0;  ///< at the design position in still water, downwards [N]
+    int iterations = 0;
+    std::vector<std::string> notes;  ///< warnings
+};
+
+/// Sets a mass of `auto`, (acting buoyancy - vertical static line loads at the design position in
+/// still water) / g, and finds the equilibrium. Throws RunError (no_equilibrium).
+StaticStart static_start(const Case& input, Hull& hull, Lines& lines);
+
+}  // namespace hawser::master

@@ -98,6 +98,13 @@ ComponentTable<Value>::ComponentTable(const WaveTable<Value>& table,
                                    "the hydrodynamic database, {:.3g} to {:.3g} rad/s; expected at "
                                    "most 1 %",
                                    100 * outside / energy, at.front(), at.back()));
+    for (const WaveComponent& c : components) {
+        try {
+            (void)weights(c.heading);
+        } catch (const RunError& error) {  // found before the run, so it is the input that is wrong
+            throw RunError(ExitCode::input, error.what());
+        }
+    }
 }
 
 template class ComponentTable<CVec6>;

@@ -30,7 +30,7 @@ class ComponentTable {
  public:
     ComponentTable() = default;
     /// Linear in frequency; beyond the table its end value is held. Throws RunError (input) if more
-    /// than 1 % of the waves' energy lies there.
+    /// than 1 % of the waves' energy lies there, or a wave comes from a heading outside the table.
     ComponentTable(const WaveTable<Value>& table, const std::vector<WaveComponent>& components);
 
     /// Coefficient of component i, for weights made with weights().

@@ -58,6 +58,24 @@ TEST(Headings, NothingIsExtrapolated) {
     }
 }
 
+TEST(Headings, WaveFromOutsideTheDatabaseIsAnErrorOfTheInput) {
+    WaveTable<Vec6> quadrant;
+    quadrant.frequencies = {0.5, 1.0};
+    for (const double b : every(45, 0, 90))
+        quadrant.headings.push_back({b, {Vec6::Ones(), Vec6::Ones()}});
+    const auto code = [&](double heading) {
+        try {
+            (void)ComponentTable<Vec6>(quadrant,
+                                       {{.amplitude = 1, .omega = 0.7, .heading = heading}});
+        } catch (const RunError& e) {
+            return e.code();
+        }
+        return ExitCode::done;
+    };
+    EXPECT_EQ(code(0.3), ExitCode::done);
+    EXPECT_EQ(code(-0.3), ExitCode::input);
+}
+
 TEST(Frequencies, WavesOutsideTheDatabaseAreRefused) {
     const std::vector<WaveComponent> fast{{.amplitude = 1, .omega = 0.5},
                                           {.amplitude = 0.2, .omega = 3.0}};

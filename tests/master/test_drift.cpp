@@ -48,8 +48,8 @@ TEST(SlowPhase, FreeHullFeelsTheMeanDriftOnce) {  // K:8 and its table
 }
 
 TEST(SlowPhase, InstantaneousPhaseCountsPartOfTheDriftTwice) {  // K:8: 1.25 and 0.21 of D on top
-    EXPECT_NEAR(mean_force_over_drift(0.6, WavePhase::instantaneous), 2.25, 0.1);
-    EXPECT_NEAR(mean_force_over_drift(0.8, WavePhase::instantaneous), 1.21, 0.05);
+    EXPECT_NEAR(mean_force_over_drift(0.6, WavePhase::instantaneous), 2.25, 0.03);
+    EXPECT_NEAR(mean_force_over_drift(0.8, WavePhase::instantaneous), 1.21, 0.02);
 }
 
 TEST(SlowPhase, FilterIsAButterworthOfOrderFour) {  // K:8

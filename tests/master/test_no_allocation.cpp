@@ -1,0 +1,58 @@
+// The hull's part of a time step takes no memory: counted through the program's own operator new.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "spar_hull.hpp"
+
+namespace {
+std::atomic<long> taken{0};
+}
+
+void* operator new(std::size_t n) {
+    ++taken;
+    if (void* p = std::malloc(n)) return p;
+    throw std::bad_alloc();
+}
+void* operator new[](std::size_t n) { return operator new(n); }
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete[](void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
+
+namespace hawser::master {
+namespace {
+
+TEST(HullLoads, TakeNoMemoryWithinAStep) {
+    Case c = spar_case();
+    c.environment.waves = {paper_sea()};
+    c.environment.current = Current{.profile = {{0, 1.9, {}}, {75, 0, {}}}};
+    c.environment.wind = Wind{.spectrum = WindSpectrum::npd, .speed = 45, .seed = 1};
+    Platform& p = *c.platform;
+    p.hydrodynamics.drift = Drift::newman;
+    p.hydrodynamics.wave_phase = WavePhase::instantaneous;
+    p.members = {{.name = "column",
+                  .to = {0, 0, -70},
+                  .diameter = 40,
+                  .Cd = 1.2,
+                  .end_Cd_to = 1,
+                  .displaced_area = 3}};
+    p.plates = {
+        {.name = "plate", .position = {0, 0, -90}, .area = 900, .Cd = 5, .added_mass = 1e7}};
+    p.wind = WindArea{2500, 45, 1};
+    const Hull hull(c, &spar_data());
+    const State s = hull.start({}, {});
+    const long before = taken;
+    HullLoads loads = hull.loads(200, s);
+    const State rate = hull.rate(200, s, loads, Vec6::Zero());
+    EXPECT_EQ(taken - before, 0);
+    EXPECT_GT(rate.norm(), 0);
+    const Hull another = hull;  // the count works: a copy takes memory
+    EXPECT_GT(another.mass(), 0);
+    EXPECT_GT(taken - before, 0);
+}
+
+}  // namespace
+}  // namespace hawser::master

@@ -131,6 +131,24 @@ class Results(unittest.TestCase):
         self.assertEqual(run(os.path.join(SCRIPTS, "compare"), self.result).returncode, 2)
         self.assertEqual(compare(self.result, self.path("nothing.h5"))[0], 2)
 
+    def test_plot_draws_what_each_kind_of_run_recorded(self):
+        figures = {
+            "spar": {"motions", "environment", "tensions", "offset", "system", "ledger"},
+            "decay": {"motions", "decay", "ledger"},
+            "chain": {"tensions", "lines"},
+        }
+        for kind, names in figures.items():
+            folder = self.path("plot_" + kind)
+            subprocess.run([PROGRAM, kind, folder, "60"], check=True, capture_output=True)
+            done = run(os.path.join(SCRIPTS, "plot"), folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.stderr, "")
+            drawn = [line for line in done.stdout.splitlines()]
+            self.assertEqual({os.path.basename(f) for f in drawn}, {n + ".png" for n in names})
+            for file in drawn:
+                self.assertGreater(os.path.getsize(file), 10_000, file)
+        self.assertEqual(run(os.path.join(SCRIPTS, "plot"), self.path("nothing")).returncode, 2)
+
     def test_a_killed_run_leaves_every_reported_segment_readable(self):
         folder = self.path("killed")
         job = subprocess.Popen(

@@ -43,7 +43,8 @@ struct Section {
 };
 
 enum class EndKind { platform, anchor, fixed, free };
-enum class Joint { ball, clamped, flex };
+/// `spring`: the end is free and held by a spring-damper; no key of the case file makes one yet.
+enum class Joint { ball, clamped, flex, spring };
 
 /// Prescribed harmonic motion of a `fixed` end: offset_i = ramp(t) amplitude_i sin(2 pi t/period_i
 /// + phase_i).
@@ -57,10 +58,12 @@ struct LineEnd {
     EndKind kind = EndKind::free;
     Vec3 position = Vec3::Zero();  ///< platform: platform axes; anchor, fixed: world [m]
     Joint joint = Joint::ball;
-    double rotational_stiffness = 0.0;  ///< flex joint [N.m/rad]
-    std::optional<Vec3> direction;      ///< flex, clamped: unit axis along increasing arc length
-                                        ///< (same axes as position); empty: the static tangent
-    std::optional<EndMotion> motion;    ///< fixed ends
+    double rotational_stiffness = 0.0;                    ///< flex joint [N.m/rad]
+    double spring_stiffness = 0.0, spring_damping = 0.0;  ///< spring [N/m, N.s/m]
+    double spring_length = 0.0;                           ///< unstressed [m]
+    std::optional<Vec3> direction;    ///< flex, clamped: unit axis along increasing arc length
+                                      ///< (same axes as position); empty: the static tangent
+    std::optional<EndMotion> motion;  ///< fixed ends
 };
 
 /// Point mass, clump or buoy on a line.

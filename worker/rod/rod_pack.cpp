@@ -67,7 +67,8 @@ RodPack<V>::RodPack(const Case& input, const Sea& sea, std::vector<int> lines)
         for (int i = 0; i < lanes; ++i) {
             const LineEnd& end = place.end[static_cast<std::size_t>(i)];
             set_lane_vector(to, i, end.direction ? Vec3(-*end.direction) : Vec3(Vec3::UnitZ()));
-            LaneTraits<V>::set(is_static, i, end.joint != Joint::ball && !end.direction);
+            const bool turns_freely = end.joint == Joint::ball || end.joint == Joint::spring;
+            LaneTraits<V>::set(is_static, i, !turns_freely && !end.direction);
         }
     };
     axis(place_a_, kept_.head().axis_a, axis_is_static_a_);
@@ -140,13 +141,14 @@ void RodPack<V>::set_properties(const Case& input) {
                      [](const auto& a, const auto& b) { return a.node < b.node; });
     set_slope_law(place_a_, law_a_, properties_.back());
     set_slope_law(place_b_, law_b_, properties_.front());
+    set_spring();
 }
 
 template <class V>
 void RodPack<V>::set_slope_law(const EndPlace& place, SlopeLaw<V>& law,
                                const ElementProperties<V>& element) {
     const Joint joint = place.end.front().joint;
-    if (!place.prescribed() || joint == Joint::ball) return;
+    if (!place.prescribed() || joint == Joint::ball) return;  // free and sprung ends turn freely
     if (joint == Joint::clamped) {  // much stiffer than the element that it holds
         law = Clamp<V>{.stiffness = V(4e3) * element.B / element.L};
         return;
@@ -159,11 +161,25 @@ void RodPack<V>::set_slope_law(const EndPlace& place, SlopeLaw<V>& law,
 }
 
 template <class V>
+void RodPack<V>::set_spring() {
+    if (!place_a_.sprung()) return;
+    using T = LaneTraits<V>;
+    Spring<V> spring;
+    for (int i = 0; i < lanes; ++i) {
+        const LineEnd& end = place_a_.end[static_cast<std::size_t>(i)];
+        T::set(spring.stiffness, i, end.spring_stiffness);
+        T::set(spring.damping, i, end.spring_damping);
+        T::set(spring.length, i, end.spring_length);
+    }
+    spring_a_ = spring;
+}
+
+template <class V>
 EndValues<V> RodPack<V>::end_values(const EndPlace& place, const Vector<V>& axis, V t,
                                     const MotionSpline& platform) const {
     using T = LaneTraits<V>;
     EndValues<V> out;
-    if (!place.prescribed()) return out;
+    if (!place.held()) return out;
     MotionSpline::Sample sample;
     Mat3 R = Mat3::Identity();
     double sampled_at = NAN;
@@ -256,6 +272,14 @@ Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference) {
     Eigen::Matrix<double, 3, 6> B, Bs;
     B << Mat3::Identity(), -skew(lane_vector(node.r, lane) - reference);
     Bs << Mat3::Zero(), -skew(lane_vector(node.d, lane));
+    if (place_a_.sprung()) {  // R:22: the spring joins the free node to the border
+        Mat3 Kt;
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k) Kt(i, k) = T::get(spring_load_a_.stiffness(i, k), lane);
+        Eigen::Matrix<double, 7, 6> K = Eigen::Matrix<double, 7, 6>::Zero();
+        K.topRows<3>() = -Kt * B;
+        return B.transpose() * Kt * B - K.transpose() * D.inverse() * K;
+    }
     // R:22, R:23: border columns and block, then the elimination of (r', lambda)
     Eigen::Matrix<double, 4, 6> K = D.bottomLeftCorner<4, 3>() * B;
     K.topRows<3>() -= Ks * Bs;

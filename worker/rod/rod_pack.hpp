@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "case/case.hpp"
-#include "constraint/slope_laws.hpp"
+#include "constraint/point_laws.hpp"
 #include "environment/sea.hpp"
 #include "lines.hpp"
 #include "packing.hpp"
@@ -105,7 +105,10 @@ class RodPack {
     struct EndPlace {
         EndKind kind = EndKind::free;
         std::vector<LineEnd> end;  ///< one per lane
-        [[nodiscard]] bool prescribed() const { return kind != EndKind::free; }
+        [[nodiscard]] bool held() const { return kind != EndKind::free; }
+        [[nodiscard]] bool sprung() const { return held() && end.front().joint == Joint::spring; }
+        /// Is the position of the rod's node that of the support?
+        [[nodiscard]] bool prescribed() const { return held() && !sprung(); }
     };
     /// Rows of a prescribed end's position, kept for its reaction.
     struct ReactionRows {
@@ -114,6 +117,7 @@ class RodPack {
 
     // rod_pack.cpp: set-up and read-out
     void set_properties(const Case& input);
+    void set_spring();
     void set_slope_law(const EndPlace& place, SlopeLaw<V>& law,
                        const ElementProperties<V>& element);
     EndValues<V> end_values(const EndPlace& place, const Vector<V>& axis, V t,
@@ -165,6 +169,7 @@ class RodPack {
     std::vector<PointMass<V>> masses_;
     EndPlace place_a_, place_b_;
     SlopeLaw<V> law_a_, law_b_;
+    PointLaw<V> spring_a_;
     bool law_on_ = true;
     Mask guessed_;  ///< lanes with a guess of their own
     bool has_strain_ = false, started_ = false, static_ = false;
@@ -195,7 +200,7 @@ class RodPack {
     Vector<V> reaction_a_, reaction_b_, moment_a_, moment_b_;
     V last_D_[7][7];  ///< node at end A before its elimination, for the static stiffness
     V last_R_[7];
-    ConstraintLoad<V> slope_load_a_, slope_load_b_;
+    ConstraintLoad<V> slope_load_a_, slope_load_b_, spring_load_a_;
     std::vector<double> xs_, ys_, zs_, ux_, uy_, uz_, ax_, ay_, az_, eta_;
     WorkCount work_;
 };

@@ -106,6 +106,15 @@ void RodPack<V>::solve(V a0, V a1) {
     }
     for (; mass != masses_.end(); ++mass) add_point_mass(*mass, a0, a1, D, R);
     add_slope_law(law_a_, trial_[N], end_a_.axis, D, R, slope_load_a_);
+    if (place_a_.sprung()) {
+        const Vector<V> g = trial_[N].r - end_a_.position, g_rate = trial_[N].v - end_a_.velocity;
+        spring_load_a_ =
+            std::visit([&](const auto& l) { return load(l, g, g_rate, a1); }, spring_a_);
+        R[0] -= spring_load_a_.force.x, R[1] -= spring_load_a_.force.y;
+        R[2] -= spring_load_a_.force.z;
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k <= i; ++k) D[i][k] += spring_load_a_.stiffness(i, k);
+    }
     if (static_) {
         for (int i = 0; i < 7; ++i) {
             last_R_[i] = R[i];
@@ -133,7 +142,7 @@ void RodPack<V>::solve(V a0, V a1) {
         forward<7>(L, R, z);
         for (int i = 0; i < 7; ++i) z[i] = inverse_d[i] * z[i];
         backward<7>(L, z, d);
-        reaction_a_ = {};
+        reaction_a_ = spring_load_a_.force + spring_load_a_.stiffness * Vector<V>{d[0], d[1], d[2]};
     }
     moment_a_ = joint_moment(trial_[N], slope_load_a_, d);
 

@@ -20,6 +20,7 @@ class LocalLines final : public Lines {
     const Reply& receive() override;
 
     [[nodiscard]] const std::vector<RodPack<Quad>>& packs() const { return packs_; }
+    std::vector<RodPack<Quad>>& packs() { return packs_; }
 
  private:
     void take_status(const Status& status);

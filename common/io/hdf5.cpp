@@ -27,6 +27,10 @@ std::string library_words() {
     };
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take, &words);
     H5Eclear2(H5E_DEFAULT);
+    std::erase(words, '\n');
+    if (const std::size_t addresses = words.find(", buf = "); addresses != std::string::npos) {
+        words.erase(addresses, words.rfind(" (") - addresses);
+    }
     return words.empty() ? "no further words from HDF5" : words;
 }
 
@@ -51,8 +55,17 @@ int close_properties(std::int64_t id) { return H5Pclose(id); }
 int close_attribute(std::int64_t id) { return H5Aclose(id); }
 int close_object(std::int64_t id) { return H5Oclose(id); }
 
-/// Errors are reported by RunError alone, not printed by the library as well.
-void silence_library() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// Before the first call: errors are reported by RunError alone, not printed by the library as
+/// well, and the library does not tidy up when the program ends: everything is closed by its owner,
+/// and what could not be closed because the disk is full would crash it there (seen with 1.10.8).
+void prepare_library() {
+    static const bool prepared = [] {
+        H5dont_atexit();
+        return true;
+    }();
+    (void)prepared;
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 Hdf5Handle properties(hid_t cls, const std::string& place) {
     return {checked(H5Pcreate(cls), "H5Pcreate", place), close_properties};
@@ -246,7 +259,7 @@ void Hdf5Dataset::attribute(const std::string& name, const std::string& value) {
 // --- files -----------------------------------------------------------------------------------
 
 Hdf5File Hdf5File::create(const std::filesystem::path& path, const Link* link) {
-    silence_library();
+    prepare_library();
     Hdf5File file;
     file.path_ = path;
     file.collective_ = link != nullptr && link->size() > 1;
@@ -266,7 +279,7 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path, const Link* link) {
 }
 
 Hdf5File Hdf5File::open(const std::filesystem::path& path) {
-    silence_library();
+    prepare_library();
     Hdf5File file;
     file.path_ = path;
     file.id_ = {
@@ -546,6 +559,7 @@ std::string Hdf5File::text_attribute(const std::string& path, const std::string&
 }
 
 std::string hdf5_version() {
+    prepare_library();
     unsigned major = 0, minor = 0, release = 0;
     checked(H5get_libversion(&major, &minor, &release), "H5get_libversion", "HDF5");
     return fmt::format("{}.{}.{}", major, minor, release);

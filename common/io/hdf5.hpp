@@ -97,6 +97,7 @@ struct Hdf5Box {
 
 class Hdf5File {
  public:
+    Hdf5File() = default;  ///< none open
     /// Creates or truncates. With a link of more than one rank the call is collective, on all of
     /// them, and so are all calls that create or write through it.
     static Hdf5File create(const std::filesystem::path& path, const Link* link = nullptr);

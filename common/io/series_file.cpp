@@ -10,6 +10,7 @@
 #include "io/files.hpp"
 #include "io/hdf5.hpp"
 #include "io/link.hpp"
+#include "io/run_folder.hpp"
 #include "status.hpp"
 
 namespace hawser::io {
@@ -122,17 +123,51 @@ std::uint64_t SeriesWriter::bytes_per(Clock clock) const {
 
 void SeriesWriter::write_segment() {
     if (pending() == 0) return;
+    const fs::path path = folder_ / fmt::format("segment_{:05d}.h5", segments_ + 1);
+    Hdf5File file;  // outlives the failure: closing it would wait for ranks that are elsewhere
     try {
-        write_pending();
+        file = Hdf5File::create(part_of(path), &link_);
+        write_pending(file);
+        file.close();
+        link_.barrier();
+        if (link_.rank() == 0) publish(path);
+        link_.barrier();
     } catch (const RunError& error) {
-        // The others wait in a collective call: alone this throws again, else it ends all ranks.
-        link_.fail(error.code(), error.what());
+        if (!link_.alone()) leave_status(error);
+        link_.fail(error.code(), error.what());  // alone: throws on; else ends all ranks
+    }
+    ++segments_;
+    saved_to_ = last_time();
+    for (Buffer& b : buffers_) {
+        b.values.clear();
+        b.singles.clear();
+    }
+    sample_times_.clear();
+    snapshot_times_.clear();
+}
+
+double SeriesWriter::last_time() const {
+    double t = saved_to_;
+    if (!sample_times_.empty()) t = std::max(t, sample_times_.back());
+    if (!snapshot_times_.empty()) t = std::max(t, snapshot_times_.back());
+    return t;
+}
+
+void SeriesWriter::leave_status(const RunError& error) const {
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - began_;
+    try {
+        write_status(folder_, {.state = RunState::State::failed,
+                               .exit_code = error.code(),
+                               .message = error.what(),
+                               .t = last_time(),
+                               .saved_to = saved_to_,
+                               .wall_s = wall.count()});
+    } catch (const RunError&) {
+        // A full disk may not even take this; the message on the screen remains.
     }
 }
 
-void SeriesWriter::write_pending() {
-    const fs::path path = folder_ / fmt::format("segment_{:05d}.h5", segments_ + 1);
-    Hdf5File file = Hdf5File::create(part_of(path), &link_);
+void SeriesWriter::write_pending(Hdf5File& file) {
     for (const Clock clock : {Clock::sample, Clock::snapshot}) {
         const std::vector<double>& t = times(clock);
         if (t.empty()) continue;
@@ -158,20 +193,6 @@ void SeriesWriter::write_pending() {
             data.write_columns(buffers_[i].columns, buffers_[i].values.data());
         }
     }
-    file.close();
-    link_.barrier();
-    if (link_.rank() == 0) publish(path);
-    link_.barrier();
-    ++segments_;
-    for (const std::vector<double>* t : {&sample_times_, &snapshot_times_}) {
-        if (!t->empty()) saved_to_ = std::max(saved_to_, t->back());
-    }
-    for (Buffer& b : buffers_) {
-        b.values.clear();
-        b.singles.clear();
-    }
-    sample_times_.clear();
-    snapshot_times_.clear();
 }
 
 std::vector<fs::path> segment_files(const fs::path& folder) {

@@ -3,6 +3,7 @@
 // whatever was reported as saved can be read after any crash.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -10,8 +11,11 @@
 #include <unordered_map>
 #include <vector>
 
+#include "status.hpp"
+
 namespace hawser::io {
 
+class Hdf5File;
 class Link;
 
 /// Which clock a field ticks on: `/time` or `/snapshot_time`.
@@ -54,7 +58,8 @@ class SeriesWriter {
     void put(int field, std::span<const double> values);
 
     /// Collective: writes all pending samples as one segment. When it returns they are on disk
-    /// under their final name. Without pending samples it does nothing.
+    /// under their final name. Without pending samples it does nothing. A failure is a RunError
+    /// alone; among several ranks it leaves its message in status.json and ends them all.
     void write_segment();
 
     /// Samples and snapshots not yet written.
@@ -66,7 +71,10 @@ class SeriesWriter {
     [[nodiscard]] std::uint64_t bytes_per(Clock clock) const;
 
  private:
-    void write_pending();
+    void write_pending(Hdf5File& file);
+    /// status.json says that the run failed: with several ranks nobody else can any more.
+    void leave_status(const RunError& error) const;
+    [[nodiscard]] double last_time() const;
     struct Buffer {
         std::vector<int> order;    // where value k of a put goes among the ascending columns
         std::vector<int> columns;  // ascending
@@ -85,6 +93,7 @@ class SeriesWriter {
     std::vector<double> sample_times_, snapshot_times_;
     int segments_ = 0;
     double saved_to_ = 0.0;
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 /// Segment files of a run's folder, in order of time.

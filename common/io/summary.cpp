@@ -74,8 +74,10 @@ std::string platform_text(const RunRecord& record) {
     for (const Fact& fact : record.platform) names.push_back(fact.description);
     const std::size_t width = widest(0, names);
     for (const Fact& fact : record.platform) {
-        out += fmt::format("{:<{}}  {:>12} {}\n", fact.description, width, figure(fact.value),
-                           fact.units);
+        const bool large = fact.units == "kg" || fact.units == "N";
+        const std::string units = fact.units == "kg" ? "t" : fact.units == "N" ? "kN" : fact.units;
+        out += fmt::format("{:<{}}  {:>12} {}\n", fact.description, width,
+                           figure(large ? fact.value / 1e3 : fact.value), units);
     }
     if (record.statics && record.statics->platform) {
         const Vec3 x = record.statics->platform->position;

@@ -1,5 +1,9 @@
-// synthetic_run KIND FOLDER SECONDS: a finished run's folder without physics, KIND one of spar,
-// decay, chain. For tests of the scripts.
+// synthetic_main KIND FOLDER SECONDS [BYTES]: a finished run's folder without physics, KIND one of
+// spar, decay, chain. BYTES limits the size of every file, like a disk that fills up. For tests of
+// what comes after a simulation.
+#include <sys/resource.h>
+
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -13,8 +17,8 @@
 
 int main(int argc, char** argv) {
     using namespace hawser;
-    if (argc != 4) {
-        std::fprintf(stderr, "usage: synthetic_run spar|decay|chain FOLDER SECONDS\n");
+    if (argc != 4 && argc != 5) {
+        std::fprintf(stderr, "usage: synthetic_main spar|decay|chain FOLDER SECONDS [BYTES]\n");
         return 2;
     }
     const std::string kind = argv[1];
@@ -23,6 +27,12 @@ int main(int argc, char** argv) {
     std::optional<io::MpiRuntime> mpi;
     if (!io::launch().alone()) mpi.emplace(&argc, &argv);
     io::Link link = mpi ? mpi->link() : io::Link();
+    if (argc == 5) {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlim_t bytes = std::strtoul(argv[4], nullptr, 10);
+        const rlimit limit{.rlim_cur = bytes, .rlim_max = bytes};
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
     try {
         const Case input = kind == "spar"    ? test::synthetic_spar(seconds)
                            : kind == "decay" ? test::synthetic_decay(seconds)
@@ -40,7 +50,8 @@ int main(int argc, char** argv) {
         }
         link.barrier();
     } catch (const RunError& error) {
-        link.fail(error.code(), error.what());
+        std::fprintf(stderr, "error: %s\n", error.what());
+        return static_cast<int>(error.code());
     }
     return 0;
 }

@@ -4,6 +4,7 @@ scripts/compare finds a single bit, and a killed run leaves every reported segme
 usage: test_results.py SYNTHETIC_MAIN SCRIPTS MPIEXEC [unittest arguments]
 """
 
+import json
 import os
 import shutil
 import signal
@@ -148,6 +149,20 @@ class Results(unittest.TestCase):
             for file in drawn:
                 self.assertGreater(os.path.getsize(file), 10_000, file)
         self.assertEqual(run(os.path.join(SCRIPTS, "plot"), self.path("nothing")).returncode, 2)
+
+    def test_a_disk_that_fills_up_ends_all_ranks_with_exit_code_6_and_the_path(self):
+        for ranks in ([], [MPIEXEC, "-n", "3", "--oversubscribe"]):
+            folder = self.path(f"full{len(ranks)}")
+            done = run(*ranks, PROGRAM, "spar", folder, "100", "120000")
+            self.assertEqual(done.returncode, 6, done.stderr)
+            self.assertIn("segment_00001.h5.part", done.stderr)
+            self.assertNotIn("segment_00001.h5", os.listdir(folder))
+            if ranks:  # alone the caller writes it
+                with open(os.path.join(folder, "status.json")) as file:
+                    status = json.load(file)
+                self.assertEqual((status["state"], status["exit_code"]), ("failed", 6))
+                self.assertIn("segment_00001.h5.part", status["message"])
+                self.assertEqual(status["saved_to"], 0)
 
     def test_a_killed_run_leaves_every_reported_segment_readable(self):
         folder = self.path("killed")

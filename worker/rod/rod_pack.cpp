@@ -270,22 +270,27 @@ Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference) {
     const NodeState<V>& node = working_.nodes()[properties_.size()];
     // R:21: a point turns with l x, a slope with r' x
     Eigen::Matrix<double, 3, 6> B, Bs;
-    B << Mat3::Identity(), -skew(lane_vector(node.r, lane) - reference);
+    const Vec3 lever = lane_vector(node.r, lane) - reference;
+    B << Mat3::Identity(), -skew(lever);
     Bs << Mat3::Zero(), -skew(lane_vector(node.d, lane));
+    // Departs from R:23, which leaves this out: the lever turns under the force, d(l x F) = (dtheta
+    // x l) x F. It is most of the yaw stiffness of a mooring.
+    Mat6 turning = Mat6::Zero();
+    turning.bottomRightCorner<3, 3>() = -skew(force_on_support_a(lane)) * skew(lever);
     if (place_a_.sprung()) {  // R:22: the spring joins the free node to the border
         Mat3 Kt;
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k) Kt(i, k) = T::get(spring_load_a_.stiffness(i, k), lane);
         Eigen::Matrix<double, 7, 6> K = Eigen::Matrix<double, 7, 6>::Zero();
         K.topRows<3>() = -Kt * B;
-        return B.transpose() * Kt * B - K.transpose() * D.inverse() * K;
+        return B.transpose() * Kt * B - K.transpose() * D.inverse() * K + turning;
     }
     // R:22, R:23: border columns and block, then the elimination of (r', lambda)
     Eigen::Matrix<double, 4, 6> K = D.bottomLeftCorner<4, 3>() * B;
     K.topRows<3>() -= Ks * Bs;
     const Mat6 M = B.transpose() * D.topLeftCorner<3, 3>() * B + Bs.transpose() * Ks * Bs;
     const Eigen::Matrix4d Dyy = D.bottomRightCorner<4, 4>();
-    return M - K.transpose() * Dyy.inverse() * K;
+    return M - K.transpose() * Dyy.inverse() * K + turning;
 }
 
 template class RodPack<Single>;

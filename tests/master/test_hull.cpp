@@ -213,6 +213,32 @@ TEST(FreeHull, LedgerOfComponentsIsTheRateOfMomentum) {  // K:4 with added mass 
     EXPECT_LT((change - expected).tail<3>().norm(), 1e-6 * expected.tail<3>().norm());
 }
 
+TEST(AddedMassAndDamping, TurnWithTheBody) {  // K:4: A_w = Q A Q^T
+    Case c;
+    c.environment.seabed.depth = 100;
+    c.environment.water.gravity = 0;
+    Platform& p = c.platform.emplace();
+    p.mass = 1e6;
+    p.radii_of_gyration = {10, 20, 30};
+    HydroMatrix& matrix = p.hydrodynamics.matrix.emplace();
+    matrix.added_mass.diagonal() << 1e6, 2e6, 3e6, 1e8, 2e8, 3e8;
+    matrix.damping.diagonal() << 1e4, 2e4, 3e4, 1e6, 2e6, 3e6;
+    const Hull hull(c, nullptr);
+    const Vec3 angles(0.3, -0.4, 1.1);
+    const Mat3 R = rotation(angles);
+    for (int i = 0; i < 3; ++i) {
+        State s = State::Zero();
+        set_motion(s, {.angles = angles, .velocity = 0.5 * R.col(i)});
+        HullLoads loads = hull.loads(0, s);
+        Vec6 push = Vec6::Zero(), a;
+        push.head<3>() = 1e6 * R.col(i);  // along a body axis, which is a principal one
+        (void)hull.rate(0, s, loads, push, &a);
+        const double B = matrix.damping(i, i), A = matrix.added_mass(i, i);
+        EXPECT_LT((a.head<3>() - (1e6 - 0.5 * B) / (1e6 + A) * R.col(i)).norm(), 1e-12);
+        EXPECT_LT(a.tail<3>().norm(), 1e-12);
+    }
+}
+
 TEST(StaticLoad, IsTheDynamicLoadAtRestInStillAirAndWater) {
     Case c = loaded_case(0.3);
     c.environment.waves.clear();

@@ -197,6 +197,41 @@ TEST(Members, SinkingColumnGivesMomentumToTheWaterItEnters) {  // P:2 footnote 4
     EXPECT_NEAR(Hull(c, nullptr).loads(0, moving({speed, 0, -sinking}))[Load::members][0], 0, 1e-9);
 }
 
+TEST(Members, WhirledAddedMassPullsOutwards) {  // -m_a w x (w x r), across the axis
+    Case c = bare_case();
+    c.platform->members = {{.name = "leg",
+                            .from = {30, 0, -10},
+                            .to = {30, 0, -20},
+                            .diameter = 2,
+                            .displaced_area = 3,
+                            .Ca = 1.2}};
+    const Vec6 load = Hull(c, nullptr).loads(0, moving({0, 0, 0}, {0, 0, 0.2}))[Load::members];
+    EXPECT_NEAR(load[0], rho * 1.2 * 3 * 10 * 0.04 * 30, 1e-6);
+}
+
+TEST(Plates, ActAlongTheirNormalAlone) {
+    Case c = bare_case();
+    c.environment.waves = {regular_wave(0.6, 1)};
+    c.environment.waves[0].stretching = Stretching::none;
+    c.platform->plates = {{.name = "fin",
+                           .position = {30, 0, -10},
+                           .normal = {1, 0, 0},
+                           .area = 50,
+                           .Cd = 0,
+                           .added_mass = 2e5}};
+    const Hull hull(c, nullptr);
+    const double t = 3, k = 0.36 / g;
+    const HullLoads still = hull.loads(t, State::Zero());
+    const double a = -0.36 * std::exp(-10 * k) * std::sin(0.6 * t - 30 * k);
+    EXPECT_NEAR(still[Load::plates][0], 2e5 * a, 1e-3 * 2e5 * 0.36);
+    EXPECT_EQ(still[Load::plates][2], 0);
+    EXPECT_NEAR(still.plate_added_mass(0, 0), 2e5, 1e-6);
+    EXPECT_EQ(still.plate_added_mass(1, 1), 0);
+    EXPECT_EQ(still.plate_added_mass(2, 2), 0);
+    const HullLoads whirled = hull.loads(t, moving({0, 0, 0}, {0, 0, 0.2}));
+    EXPECT_NEAR((whirled[Load::plates] - still[Load::plates])[0], 2e5 * 0.04 * 30, 1e-6);
+}
+
 TEST(Plates, SinkingPlateReachesItsTerminalSpeed) {
     Case c = bare_case();
     c.platform->plates = {
@@ -227,6 +262,10 @@ TEST(Wind, MeanForceIsThatOfTheMeanSpeedAtTheHeight) {  // case notes: 55.8 m/s,
     EXPECT_NEAR(U, 55.8, 0.05);
     EXPECT_NEAR(hull.loads(0, moving({2, 0, 0}))[Load::wind][0],
                 0.5 * 1.226 * 2500 * (U - 2) * (U - 2), 1);
+    const double top = 0.02 * 45;  // pitching lends the centre a speed; heaving does not count
+    const Vec6 pitching = hull.loads(0, moving({0, 0, 3}, {0, 0.02, 0}))[Load::wind];
+    EXPECT_NEAR(pitching[0], 0.5 * 1.226 * 2500 * (U - top) * (U - top), 1);
+    EXPECT_EQ(pitching[2], 0);
 }
 
 TEST(UserDamping, ActsOnAxesThatTurnWithYaw) {

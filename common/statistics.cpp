@@ -21,21 +21,19 @@ Statistics statistics_of(std::span<const double> t, std::span<const double> x, d
                  .tz = nan};
     const auto counts = [&](std::size_t i) { return t[i] >= from && std::isfinite(x[i]); };
 
-    // The first value that counts is taken off before summing, so that a small motion about a large
-    // mean keeps its digits.
-    double shift = 0.0, sum = 0.0;
+    double sum = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         if (!counts(i)) continue;
-        if (s.n == 0) shift = x[i];
         if (s.n == 0 || x[i] < s.min) s.min = x[i], s.t_min = t[i];
         if (s.n == 0 || x[i] > s.max) s.max = x[i], s.t_max = t[i];
-        sum += x[i] - shift;
+        sum += x[i];
         ++s.n;
     }
     if (s.n == 0) return s;
     const double n = static_cast<double>(s.n);
-    s.mean = shift + sum / n;
+    s.mean = sum / n;
 
+    // Moments about the mean, in a second pass: a small motion about a large mean keeps its digits.
     double m2 = 0.0, m3 = 0.0, m4 = 0.0;
     double first = nan, last = nan, before = nan, t_before = nan;
     int crossings = 0;

@@ -78,8 +78,7 @@ TEST(Statistics, OfNothingAreNotNumbers) {
     EXPECT_TRUE(std::isnan(r.mean) && std::isnan(r.std) && std::isnan(r.max) && std::isnan(r.tz));
 }
 
-// A motion of 1e-6 about a mean of 1e9 (weights of platforms): summing squares without the shift
-// would lose all of it.
+// A millimetre about 1e9: the mean of squares less the square of the mean would have lost it all.
 TEST(Statistics, KeepASmallMotionAboutALargeMean) {
     const Series s = sine(1e9, 1e-3, 10.0, 10, 20);
     const Statistics r = statistics_of(s.t, s.x, 0.0);

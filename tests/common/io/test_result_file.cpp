@@ -30,7 +30,8 @@ ResultDigest finish(const fs::path& folder, const Case& input, int samples_per_s
 }
 
 TEST(Result, HasTheSameDataHoweverTheRunWasCutIntoSegments) {
-    const Case input = test::synthetic_spar(60.0);
+    // 121 snapshots of 384 nodes: more than two chunks, and the last one not full
+    const Case input = test::synthetic_spar(240.0);
     const test::Folder folder;
     fs::create_directories(folder.path / "one");
     fs::create_directories(folder.path / "many");
@@ -44,9 +45,10 @@ TEST(Result, HasTheSameDataHoweverTheRunWasCutIntoSegments) {
         EXPECT_FALSE(a.empty());
         EXPECT_EQ(a, b) << path;
     }
-    // 121 samples in segments of 7: all there, in order
-    EXPECT_EQ(one.read("/time").size(), 121u);
-    EXPECT_DOUBLE_EQ(one.read("/time").back(), 60.0);
+    EXPECT_EQ(one.read("/time").size(), 481u);
+    EXPECT_DOUBLE_EQ(one.read("/time").back(), 240.0);
+    // the last node of the last snapshot is an anchor
+    EXPECT_DOUBLE_EQ(many.read("/lines/nodes/position").back(), -1500.0);
 }
 
 TEST(Result, ReplacesTheSegments) {

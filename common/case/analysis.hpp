@@ -10,6 +10,8 @@ enum class RodSchemeType { generalised_alpha, adams_moulton };
 struct RodScheme {
     RodSchemeType type = RodSchemeType::generalised_alpha;
     double spectral_radius = 0.8;
+
+    bool operator==(const RodScheme&) const = default;
 };
 
 enum class ForceFit { instantaneous, linear_fit, quadratic_fit };
@@ -19,6 +21,8 @@ struct Statics {
          drift_mean = true;  ///< mean loads in the static solution
     double tolerance = 1e-6;
     int max_iterations = 200;
+
+    bool operator==(const Statics&) const = default;
 };
 
 struct Dynamics {
@@ -31,11 +35,15 @@ struct Dynamics {
     double depth_filter = 1.0;     ///< wavelengths down to which a component is seen; 0: no filter
     RodScheme rod_scheme;
     ForceFit force = ForceFit::instantaneous;
+
+    bool operator==(const Dynamics&) const = default;
 };
 
 struct Analysis {
     Statics statics;
     Dynamics dynamics;
+
+    bool operator==(const Analysis&) const = default;
 };
 
 }  // namespace hawser

@@ -22,6 +22,8 @@ struct Case {
     std::vector<Line> lines;  ///< line order: as declared, families expanded
     Analysis analysis;
     Output output;
+
+    bool operator==(const Case&) const = default;
 };
 
 }  // namespace hawser

@@ -11,12 +11,16 @@ namespace hawser {
 struct Water {
     double density = 1025.0;   ///< [kg/m3]
     double gravity = 9.80665;  ///< [m/s2]
+
+    bool operator==(const Water&) const = default;
 };
 
 struct Seabed {
     double depth = 0.0;               ///< still-water depth at the origin [m]
     double normal_stiffness = 100e3;  ///< force per length of line and penetration [N/m2]
     double damping = 10e3;            ///< force per length of line and normal speed [N.s/m2]
+
+    bool operator==(const Seabed&) const = default;
 };
 
 enum class WaveType { airy, jonswap, pierson_moskowitz };
@@ -35,17 +39,23 @@ struct WaveTrain {
     Discretisation discretisation = Discretisation::equal_energy;
     double range_min = 0.5, range_max = 5.0;  ///< frequency range as multiples of the peak
     Stretching stretching = Stretching::wheeler;
+
+    bool operator==(const WaveTrain&) const = default;
 };
 
 struct CurrentPoint {
     double depth = 0.0;                  ///< below mean sea level [m]
     double speed = 0.0;                  ///< [m/s]
     std::optional<double> heading = {};  ///< [rad]; empty: the current's own
+
+    bool operator==(const CurrentPoint&) const = default;
 };
 
 struct Current {
     double heading = 0.0;               ///< [rad]
     std::vector<CurrentPoint> profile;  ///< ascending depth; linear between, constant outside
+
+    bool operator==(const Current&) const = default;
 };
 
 enum class WindSpectrum { constant, npd };
@@ -58,6 +68,8 @@ struct Wind {
     double heading = 0.0;            ///< [rad]
     std::uint64_t seed = 0;
     double density = 1.226;  ///< of the air [kg/m3]
+
+    bool operator==(const Wind&) const = default;
 };
 
 struct Environment {
@@ -66,6 +78,8 @@ struct Environment {
     std::vector<WaveTrain> waves;  ///< this version: none or one
     std::optional<Current> current;
     std::optional<Wind> wind;
+
+    bool operator==(const Environment&) const = default;
 };
 
 }  // namespace hawser

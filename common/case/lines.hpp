@@ -15,6 +15,8 @@ namespace hawser {
 struct Viscoelastic {
     double EA_dynamic = 0.0, EA_static = 0.0;  ///< [N]
     double relaxation_time = 0.0;              ///< decay of tension at constant strain [s]
+
+    bool operator==(const Viscoelastic&) const = default;
 };
 
 /// Mechanical properties per unit unstretched length of one section, worked out from its line type.
@@ -33,6 +35,9 @@ struct LineType {
     double drag_diameter = 0.0;           ///< both drag coefficients refer to it [m]
     double drag_normal = 0.0, drag_axial = 0.0;
     double added_mass_normal = 1.0, added_mass_axial = 0.0;  ///< on displaced_area
+    std::optional<double> breaking_load;                     ///< [N]; only for checks
+
+    bool operator==(const LineType&) const = default;
 };
 
 struct Section {
@@ -40,6 +45,8 @@ struct Section {
     double length = 0.0;  ///< unstretched [m]
     int elements = 0;
     double growth = 1.0;  ///< ratio of neighbouring elements, from end A
+
+    bool operator==(const Section&) const = default;
 };
 
 enum class EndKind { platform, anchor, fixed, free };
@@ -52,6 +59,8 @@ struct EndMotion {
     Vec3 amplitude = Vec3::Zero();  ///< surge, sway, heave [m]
     Vec3 period = Vec3::Ones();     ///< [s]
     Vec3 phase = Vec3::Zero();      ///< [rad]
+
+    bool operator==(const EndMotion&) const = default;
 };
 
 struct LineEnd {
@@ -64,6 +73,8 @@ struct LineEnd {
     std::optional<Vec3> direction;    ///< flex, clamped: unit axis along increasing arc length
                                       ///< (same axes as position); empty: the static tangent
     std::optional<EndMotion> motion;  ///< fixed ends
+
+    bool operator==(const LineEnd&) const = default;
 };
 
 /// Point mass, clump or buoy on a line.
@@ -73,6 +84,8 @@ struct Attachment {
     double volume = 0.0;      ///< [m3]
     double drag_area = 0.0;   ///< Cd A [m2]
     double Ca = 0.0;          ///< on rho volume
+
+    bool operator==(const Attachment&) const = default;
 };
 
 struct Line {
@@ -90,6 +103,8 @@ struct Line {
         for (const Section& s : sections) sum += s.length;
         return sum;
     }
+
+    bool operator==(const Line&) const = default;
 };
 
 }  // namespace hawser

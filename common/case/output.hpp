@@ -13,6 +13,8 @@ struct LineOutput {
     bool end_a = true, end_b = false;
     bool effective_tension = true, declination = false, azimuth = false, force = false,
          moment = false;
+
+    bool operator==(const LineOutput&) const = default;
 };
 
 struct Output {
@@ -20,6 +22,8 @@ struct Output {
     std::optional<double> snapshots;  ///< interval of node positions [s]
     bool platform_motions = true, platform_loads = false, environment = true;
     std::vector<LineOutput> lines;
+
+    bool operator==(const Output&) const = default;
 };
 
 }  // namespace hawser

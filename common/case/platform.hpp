@@ -22,6 +22,8 @@ struct HydroDatabase {
     double included_z = 0.0;                 ///< [m], with includes_weight
     Vec3 reference_point = Vec3::Zero();     ///< the files' moment origin on platform axes [m]
     std::vector<std::string> symmetry;       ///< planes of the hull: xz, yz; headings are mirrored
+
+    bool operator==(const HydroDatabase&) const = default;
 };
 
 /// Constant 6x6 matrices about O for a platform with no database. SI, radians.
@@ -29,6 +31,8 @@ struct HydroMatrix {
     Mat6 added_mass = Mat6::Zero();
     Mat6 damping = Mat6::Zero();
     Mat6 stiffness = Mat6::Zero();  ///< waterplane stiffness; only rows heave, roll, pitch act
+
+    bool operator==(const HydroMatrix&) const = default;
 };
 
 enum class Drift { none, mean, newman };
@@ -41,6 +45,8 @@ struct Hydrodynamics {
     Drift drift = Drift::none;
     std::optional<WavePhase> wave_phase;  ///< empty: slow if there is drift, else instantaneous
     std::optional<double> slow_cutoff;    ///< [rad/s]; empty: a quarter of the spectral peak
+
+    bool operator==(const Hydrodynamics&) const = default;
 };
 
 /// A cylinder of the hull between two points (Morison).
@@ -55,6 +61,8 @@ struct Member {
     double Ca = 1.0;              ///< added mass coefficient on displaced_area
     bool waves_in_drag = true;
     bool current = true;
+
+    bool operator==(const Member&) const = default;
 };
 
 /// A heave plate: drag and added mass along its normal.
@@ -64,10 +72,14 @@ struct Plate {
     Vec3 normal = Vec3::UnitZ();   ///< unit vector
     double area = 0.0, Cd = 0.0;   ///< [m2], [-]
     double added_mass = 0.0;       ///< along the normal [kg]
+
+    bool operator==(const Plate&) const = default;
 };
 
 struct WindArea {
     double area = 0.0, centre_height = 0.0, Cs = 1.0;  ///< [m2], above O [m], [-]
+
+    bool operator==(const WindArea&) const = default;
 };
 
 struct Platform {
@@ -85,6 +97,8 @@ struct Platform {
     std::optional<WindArea> wind;
     Mat6 linear_damping = Mat6::Zero();     ///< about O on axes that turn with yaw [SI, rad]
     Mat6 quadratic_damping = Mat6::Zero();  ///< F_i = -sum_j B_ij |v_j| v_j
+
+    bool operator==(const Platform&) const = default;
 };
 
 }  // namespace hawser

@@ -1,0 +1,260 @@
+// From the declared case to the Case: names become indices, angles become vectors.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "case/declared.hpp"
+#include "case/line_type_rules.hpp"
+
+namespace hawser {
+namespace {
+
+class Build {
+ public:
+    Build(const DeclaredCase& declared, Problems& problems)
+        : declared_(declared), problems_(problems) {}
+
+    Case run(const std::string& name, const std::filesystem::path& folder) {
+        value_.name = name;
+        value_.title = declared_.title;
+        value_.description = declared_.description;
+        value_.environment = declared_.environment;
+        value_.analysis = declared_.analysis;
+        value_.output = declared_.output;
+        if (declared_.platform) platform(*declared_.platform, folder);
+        for (const LineTypeKeys& type : declared_.line_types) {
+            value_.line_types.push_back(line_type(type));
+        }
+        for (const LineKeys& line : declared_.lines) this->line(line);
+        unused();
+        return std::move(value_);
+    }
+
+ private:
+    void error(const std::string& path, const std::string& message) {
+        problems_.push_back({Severity::error, path, message, {}});
+    }
+    void warning(const std::string& path, const std::string& message) {
+        problems_.push_back({Severity::warning, path, message, {}});
+    }
+
+    void platform(const PlatformKeys& keys, const std::filesystem::path& folder) {
+        Platform p = keys;
+        if (keys.gyration) p.radii_of_gyration = *keys.gyration;
+        for (std::size_t i = 0; i < keys.plate_groups.size(); ++i) {
+            const PlateKeys& group = keys.plate_groups[i];
+            Plate plate{.name = group.name,
+                        .area = group.area,
+                        .Cd = group.Cd,
+                        .added_mass = group.added_mass};
+            if (group.normal.norm() == 0.0) {
+                error(fmt::format("platform.plates[{}].normal", i), "the normal has no length");
+            }
+            plate.normal = group.normal.normalized();
+            std::vector<Vec3> places;
+            if (group.position) places.push_back(*group.position);
+            for (const double z : group.z) places.emplace_back(0.0, 0.0, z);
+            for (const Vec3& place : places) {
+                plate.position = place;
+                p.plates.push_back(plate);
+            }
+        }
+        if (p.hydrodynamics.database) {
+            std::string& path = p.hydrodynamics.database->path;
+            path = (folder / path).lexically_normal().string();
+        }
+        value_.platform = std::move(p);
+    }
+
+    void line(const LineKeys& keys) {
+        const std::string path = "lines." + keys.family;
+        Line line;
+        line.name = keys.name;
+        line.family = keys.family;
+        line.azimuth = keys.azimuth.value_or(0.0);
+        line.time_step = keys.time_step;
+        line.sheltered_above = keys.sheltered_above;
+        line.end_a = end(keys.end_a, keys, path + ".end_a");
+        line.end_b = end(keys.end_b, keys, path + ".end_b");
+        if (keys.end_b.wellhead_z) {
+            line.end_b.position.x() = line.end_a.position.x();
+            line.end_b.position.y() = line.end_a.position.y();
+        }
+        if (keys.end_a.wellhead_z) error(path + ".end_a", "a wellhead is for end B");
+        if (line.end_b.kind == EndKind::platform) {
+            error(path + ".end_b.platform",
+                  "end B on a platform: not available in this version; let end A be there");
+        }
+        if (line.end_a.kind == EndKind::free && line.end_b.kind == EndKind::free) {
+            error(path, "both ends are free: one must be held");
+        }
+        for (std::size_t i = 0; i < keys.sections.size(); ++i)
+            section(keys.sections[i], i, path, line);
+        for (std::size_t i = 0; i < keys.attachments.size(); ++i) {
+            attachment(keys.attachments[i], fmt::format("{}.attachments[{}]", path, i), line);
+        }
+        value_.lines.push_back(std::move(line));
+    }
+
+    void section(const SectionKeys& keys, std::size_t i, const std::string& path, Line& line) {
+        std::vector<std::string> known;
+        int type = -1;
+        for (std::size_t k = 0; k < declared_.line_types.size(); ++k) {
+            known.push_back(declared_.line_types[k].name);
+            if (known.back() == keys.type) type = static_cast<int>(k);
+        }
+        if (type < 0 && !keys.type.empty()) {
+            error(
+                fmt::format("{}.sections[{}].type", path, i),
+                fmt::format("unknown line type \"{}\"{}", keys.type, suggestion(keys.type, known)));
+        }
+        used_types_.insert(keys.type);
+        line.sections.push_back({.type = type,
+                                 .length = keys.length,
+                                 .elements = keys.elements.value_or(0),
+                                 .growth = keys.growth});
+    }
+
+    void attachment(const AttachmentKeys& keys, const std::string& path, Line& line) {
+        Attachment a{.arc_length = keys.arc_length.value_or(NAN),
+                     .mass = keys.mass,
+                     .volume = keys.volume,
+                     .drag_area = keys.drag_area,
+                     .Ca = keys.Ca};
+        if (keys.joint) {
+            const int last = static_cast<int>(line.sections.size()) - 1;
+            if (*keys.joint < 1 || *keys.joint > last) {
+                error(path + ".at",
+                      fmt::format("the line has {} sections, so joints 1 to {}; got \"joint {}\"",
+                                  last + 1, last, *keys.joint));
+            }
+            a.arc_length = 0.0;
+            for (int i = 0; i < std::min(*keys.joint, last + 1); ++i) {
+                a.arc_length += line.sections[static_cast<std::size_t>(i)].length;
+            }
+        } else if (a.arc_length > line.length()) {
+            error(path + ".at",
+                  fmt::format("beyond the end of the line at {:.6g} m", line.length()));
+        }
+        line.attachments.push_back(a);
+    }
+
+    LineEnd end(const EndKeys& keys, const LineKeys& line, const std::string& path) {
+        LineEnd e;
+        const double depth = declared_.environment.seabed.depth;
+        if (keys.platform) {
+            e.kind = EndKind::platform;
+            const std::string ours = declared_.platform ? declared_.platform->name : std::string();
+            if (!declared_.platform) {
+                error(path + ".platform", "the case has no platform");
+            } else if (*keys.platform != ours) {
+                error(path + ".platform", fmt::format("unknown platform \"{}\"{}", *keys.platform,
+                                                      suggestion(*keys.platform, {ours})));
+            }
+            if (keys.polar) {
+                e.position =
+                    on_circle(keys.polar->radius, keys.polar->azimuth.value_or(NAN), keys.polar->z);
+            } else if (keys.position) {
+                e.position = *keys.position;
+            } else {
+                error(path, "expected \"position\" or \"polar\": where on the platform?");
+                e.position.setConstant(NAN);
+            }
+        } else if (keys.anchor) {
+            e.kind = EndKind::anchor;
+            const AnchorKeys& anchor = *keys.anchor;
+            if (anchor.radius) {
+                e.position = on_circle(*anchor.radius, anchor.azimuth.value_or(NAN), -depth);
+            } else if (anchor.position) {
+                e.position = {(*anchor.position)[0], (*anchor.position)[1], -depth};
+                if (anchor.position->size() > 2 && !((*anchor.position)[2] == -depth) &&
+                    !std::isnan(depth)) {
+                    error(path + ".anchor.position",
+                          fmt::format("an anchor lies on the seabed, z = {:.6g} m; leave z out, or "
+                                      "use \"fixed\"",
+                                      -depth));
+                }
+            }
+        } else if (keys.wellhead_z) {
+            e.kind = EndKind::fixed;
+            e.position = {0.0, 0.0, *keys.wellhead_z};
+        } else if (keys.fixed) {
+            e.kind = EndKind::fixed;
+            e.position = *keys.fixed;
+        } else if (keys.free && !*keys.free) {
+            error(path + ".free", "expected true, or another kind of end");
+        }
+        if (keys.platform.has_value() != (keys.polar || keys.position) && !keys.platform) {
+            error(path, "\"position\" and \"polar\" are places on a platform: name it");
+        }
+        if (keys.motion) {
+            if (!keys.fixed) error(path + ".motion", "only a fixed end has a motion of its own");
+            e.motion = motion(*keys.motion);
+        }
+        joint(keys, line, path, e);
+        return e;
+    }
+
+    void joint(const EndKeys& keys, const LineKeys& line, const std::string& path, LineEnd& e) {
+        e.joint = keys.joint;
+        if (e.kind == EndKind::free && keys.joint != Joint::ball) {
+            error(path + ".joint", "a free end has no joint");
+        }
+        if (keys.joint == Joint::flex) {
+            e.rotational_stiffness = keys.rotational_stiffness.value_or(NAN);
+        }
+        if (keys.direction) {
+            const double d = *keys.direction, azimuth = line.azimuth.value_or(0.0);
+            e.direction = Vec3(std::sin(d) * std::cos(azimuth), std::sin(d) * std::sin(azimuth),
+                               -std::cos(d));
+        }
+    }
+
+    static EndMotion motion(const MotionKeys& keys) {
+        EndMotion m;
+        const std::array<const std::optional<HarmonicKeys>*, 3> modes{&keys.surge, &keys.sway,
+                                                                      &keys.heave};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto k = static_cast<Eigen::Index>(i);
+            if (!*modes[i]) continue;
+            m.amplitude[k] = (*modes[i])->amplitude;
+            m.period[k] = (*modes[i])->period;
+            m.phase[k] = (*modes[i])->phase;
+        }
+        return m;
+    }
+
+    static Vec3 on_circle(double radius, double azimuth, double z) {
+        return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
+    }
+
+    void unused() {
+        for (const LineTypeKeys& type : declared_.line_types) {
+            if (!used_types_.contains(type.name)) {
+                warning("line_types." + type.name, "no line uses this line type");
+            }
+        }
+        for (const Material& material : declared_.materials) {
+            const bool used =
+                std::any_of(declared_.line_types.begin(), declared_.line_types.end(),
+                            [&](const LineTypeKeys& t) { return t.material == material.name; });
+            if (!used) warning("materials." + material.name, "no line type uses this material");
+        }
+    }
+
+    const DeclaredCase& declared_;
+    Problems& problems_;
+    Case value_;
+    std::set<std::string> used_types_;
+};
+
+}  // namespace
+
+Case build(const DeclaredCase& declared, const std::string& name,
+           const std::filesystem::path& folder, Problems& problems) {
+    return Build(declared, problems).run(name, folder);
+}
+
+}  // namespace hawser

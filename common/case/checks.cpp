@@ -1,0 +1,293 @@
+// Checks of a finished case that need no simulation: geometry and physical sense. Limits and their
+// reasons are in the README of this folder. NaN (a number that could not be read) passes unnoticed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "case/declared.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+class Checks {
+ public:
+    Checks(const Case& c, Problems& problems) : case_(c), problems_(problems) {}
+
+    void run() {
+        waves();
+        if (case_.platform) platform(*case_.platform);
+        for (const LineType& type : case_.line_types) line_type(type);
+        for (const Line& line : case_.lines) this->line(line);
+        times();
+        output();
+    }
+
+ private:
+    void error(const std::string& path, const std::string& message) {
+        problems_.push_back({Severity::error, path, message, {}});
+    }
+    void warning(const std::string& path, const std::string& message) {
+        problems_.push_back({Severity::warning, path, message, {}});
+    }
+
+    void waves() {
+        const double g = case_.environment.water.gravity, depth = case_.environment.seabed.depth;
+        for (std::size_t i = 0; i < case_.environment.waves.size(); ++i) {
+            const WaveTrain& w = case_.environment.waves[i];
+            const std::string path = fmt::format("environment.waves[{}]", i);
+            const bool airy = w.type == WaveType::airy;
+            const double height = airy ? w.H : w.Hs, period = airy ? w.T : w.Tp;
+            const double steepness = 2.0 * pi * height / (g * period * period);
+            // Regular: breaking limit 0.142. Sea state: DNV-RP-C205 3.5.5.6 for the peak period,
+            // 1/15 below 8 s to 1/25 above 15 s, with 5 % to spare.
+            const double limit = airy
+                                     ? 0.142
+                                     : 1.05 * std::lerp(1.0 / 15.0, 1.0 / 25.0,
+                                                        std::clamp((period - 8.0) / 7.0, 0.0, 1.0));
+            if (steepness > limit) {
+                warning(path, fmt::format("steepness {:.3f} is above {:.3f}: the waves would break",
+                                          steepness, limit));
+            }
+            if (w.type == WaveType::jonswap) {
+                const double q = period / std::sqrt(height);
+                if (q < 3.6 || q > 5.0) {
+                    warning(path, fmt::format("Tp/sqrt(Hs) = {:.2f}: a jonswap spectrum is meant "
+                                              "for 3.6 to 5",
+                                              q));
+                }
+            }
+            if (height > 0.78 * depth) {
+                error(path,
+                      fmt::format("{:.6g} m high waves break in {:.6g} m of water", height, depth));
+            }
+        }
+    }
+
+    double expected_crest() const {
+        if (case_.environment.waves.empty()) return 0.0;
+        const WaveTrain& w = case_.environment.waves.front();
+        return w.type == WaveType::airy ? w.H / 2.0 : 0.93 * w.Hs;  // 1.86 Hs/2 in three hours
+    }
+
+    /// Mass of water displaced at the design draft [kg].
+    double displaced_mass(const Platform& p) const {
+        double volume = p.hydrodynamics.database ? p.hydrodynamics.database->displaced_volume : 0.0;
+        for (const Member& m : p.members) {
+            const double top = std::max(m.from.z(), m.to.z()), low = std::min(m.from.z(), m.to.z());
+            const double length = (m.to - m.from).norm();
+            const double wet = top <= 0.0 ? 1.0 : low >= 0.0 ? 0.0 : -low / (top - low);
+            volume += m.displaced_area * length * wet;
+        }
+        return case_.environment.water.density * volume;
+    }
+
+    void platform(const Platform& p) {
+        const double water = displaced_mass(p);
+        if (p.displacement && std::abs(*p.displacement / water - 1.0) > 0.005) {
+            error("platform.displacement",
+                  fmt::format("{:.0f} t given, but database and members displace {:.0f} t ({:+.2f} "
+                              "%; 0.5 % is allowed)",
+                              *p.displacement / 1e3, water / 1e3,
+                              100.0 * (*p.displacement / water - 1.0)));
+        }
+        if (p.mass && case_.lines.empty() && std::abs(*p.mass / water - 1.0) > 0.005) {
+            warning(
+                "platform.mass",
+                fmt::format("{:.0f} t, but {:.0f} t of water are displaced at the design draft: "
+                            "the platform will rise or sink; `auto` keeps the draft",
+                            *p.mass / 1e3, water / 1e3));
+        }
+        if (!p.mass && water == 0.0) {
+            error("platform.mass",
+                  "auto needs buoyancy: a database or members that displace water");
+        }
+        const Hydrodynamics& hydro = p.hydrodynamics;
+        if (hydro.wave_phase == WavePhase::instantaneous && hydro.drift != Drift::none) {
+            warning("platform.hydrodynamics.wave_phase",
+                    "instantaneous counts part of the mean drift twice; use slow");
+        }
+        if (hydro.database &&
+            std::abs(hydro.database->rho / case_.environment.water.density - 1.0) > 0.005) {
+            warning("platform.hydrodynamics.database.rho",
+                    fmt::format("{:.6g} kg/m3, but the water has {:.6g} kg/m3", hydro.database->rho,
+                                case_.environment.water.density));
+        }
+        if (!p.members.empty() && p.quadratic_damping.norm() > 0.0) {
+            warning("platform.damping.quadratic", "acts together with the drag of the members");
+        }
+        double highest = -1e300;
+        for (std::size_t i = 0; i < p.members.size(); ++i) {
+            const Member& m = p.members[i];
+            highest = std::max({highest, m.from.z(), m.to.z()});
+            if (std::min(m.from.z(), m.to.z()) < -case_.environment.seabed.depth) {
+                error(fmt::format("platform.members[{}]", i), "reaches below the seabed");
+            }
+        }
+        const bool surface_piercing = highest > 0.0;
+        if (surface_piercing && highest < expected_crest()) {
+            warning(
+                "platform.members",
+                fmt::format("the highest end is at {:.6g} m, below the expected crest at {:.1f} "
+                            "m: no drag above it",
+                            highest, expected_crest()));
+        }
+        if (p.draft && *p.draft > case_.environment.seabed.depth) {
+            error("platform.draft", "deeper than the water");
+        }
+        if (case_.environment.wind && !p.wind) {
+            warning("environment.wind", "the platform has no wind area, so wind has no effect");
+        }
+    }
+
+    void line_type(const LineType& type) {
+        const std::string path = "line_types." + type.name;
+        const double submerged =
+            (type.mass - case_.environment.water.density * type.displaced_area) *
+            case_.environment.water.gravity;
+        if (submerged <= 0.0) {
+            warning(path, fmt::format("floats: submerged weight {:.4g} N/m", submerged));
+        }
+        const double d = type.outer_diameter;
+        if (type.category == "chain") {
+            const double ratio = std::sqrt(4.0 * type.displaced_area / pi) / d;
+            if (ratio < 1.7 || ratio > 2.0) {
+                warning(path, fmt::format("volume diameter {:.2f} times nominal; chain has 1.7 to "
+                                          "2.0: check mass and nominal_diameter",
+                                          ratio));
+            }
+            const double factor = type.EA / (d * d) / 1e3;  // kN per m2
+            if (factor < 0.7e8 || factor > 1.1e8) {
+                warning(path,
+                        fmt::format("EA = {:.3g} d2 kN; chain has 0.7e8 to 1.1e8 d2 kN", factor));
+            }
+        }
+        if (type.viscoelastic) {
+            const double ratio = type.viscoelastic->EA_dynamic / type.viscoelastic->EA_static;
+            if (ratio < 1.2 || ratio > 3.0) {
+                warning(
+                    path + ".viscoelastic",
+                    fmt::format("EA_dynamic/EA_static = {:.2f}; polyester has 1.2 to 3", ratio));
+            }
+        }
+        if (type.breaking_load) {
+            const double strain = *type.breaking_load / long_run_stiffness(type);
+            if (strain < 0.001 || strain > 0.4) {
+                warning(path + ".breaking_load",
+                        fmt::format("would be reached at {:.2g} % of stretch: check EA",
+                                    100.0 * strain));
+            }
+        }
+    }
+
+    static double long_run_stiffness(const LineType& type) {
+        return type.viscoelastic ? type.viscoelastic->EA_static : type.EA;
+    }
+
+    void line(const Line& line) {
+        const std::string path = "lines." + line.family;
+        double stretch = 0.0, travel = 0.0;
+        for (const Section& s : line.sections) {
+            if (s.type < 0) return;  // reported already
+            const LineType& type = case_.line_types[static_cast<std::size_t>(s.type)];
+            const bool rope = type.category == "rope" || type.category == "general";
+            stretch += s.length * (rope ? 0.03 : 0.003);
+            travel += s.length * std::sqrt(type.mass / type.EA);
+        }
+        const double length = line.length(), depth = case_.environment.seabed.depth;
+        const bool held = line.end_a.kind != EndKind::free && line.end_b.kind != EndKind::free;
+        const double distance = (line.end_b.position - line.end_a.position).norm();
+        if (held && distance > length + stretch) {
+            error(path, fmt::format("{} is {:.6g} m long, but its ends are {:.6g} m apart",
+                                    line.name, length, distance));
+        }
+        const double fold = std::hypot(line.end_b.position.x() - line.end_a.position.x(),
+                                       line.end_b.position.y() - line.end_a.position.y()) +
+                            std::abs(line.end_b.position.z() - line.end_a.position.z());
+        if (held && line.end_b.kind == EndKind::anchor && length > fold) {
+            warning(path, fmt::format("{} is {:.6g} m long, more than straight down and along the "
+                                      "seabed ({:.6g} m)",
+                                      line.name, length, fold));
+        }
+        for (const auto& [end, name] :
+             {std::pair{&line.end_a, ".end_a"}, {&line.end_b, ".end_b"}}) {
+            if (end->kind != EndKind::free && end->position.z() < -depth) {
+                error(path + name, fmt::format("{}: z = {:.6g} m is below the seabed at {:.6g} m",
+                                               line.name, end->position.z(), -depth));
+            }
+        }
+        const double period = 2.0 * travel, D = case_.analysis.dynamics.platform_step;
+        if (held && period < D) {
+            warning(path, fmt::format("{}: first axial period {:.3g} s is below the platform step "
+                                      "{:.3g} s; the coupling may go unstable",
+                                      line.name, period, D));
+        }
+    }
+
+    void times() {
+        const Dynamics& d = case_.analysis.dynamics;
+        if (d.statistics_from >= d.duration) {
+            error("analysis.dynamics.statistics_from",
+                  fmt::format("{:.6g} s is not before the end at {:.6g} s", d.statistics_from,
+                              d.duration));
+        }
+        if (!multiple(d.duration, d.platform_step)) {
+            warning("analysis.dynamics.duration",
+                    fmt::format("{:.6g} s is not a multiple of the platform step {:.6g} s",
+                                d.duration, d.platform_step));
+        }
+        if (d.line_step > d.platform_step) {
+            warning("analysis.dynamics.steps.lines", "longer than the platform step");
+        }
+    }
+
+    static bool multiple(double interval, double step) {
+        const double n = interval / step;
+        return !(std::abs(n - std::round(n)) > 1e-9 * n) && !(std::round(n) < 1.0);
+    }
+
+    void output() {
+        const double step = case_.analysis.dynamics.platform_step;
+        const auto whole = [&](const char* key, double interval) {
+            if (!multiple(interval, step)) {
+                error(fmt::format("output.{}", key),
+                      fmt::format("{:.6g} s is not a multiple of the platform step {:.6g} s",
+                                  interval, step));
+            }
+        };
+        whole("interval", case_.output.interval);
+        if (case_.output.snapshots) whole("snapshots", *case_.output.snapshots);
+        for (std::size_t i = 0; i < case_.output.lines.size(); ++i) {
+            const std::string& select = case_.output.lines[i].select;
+            bool found = false;
+            for (const Line& line : case_.lines) found = found || matches(select, line.name);
+            if (!found) {
+                warning(fmt::format("output.lines[{}].select", i),
+                        fmt::format("no line has a name like \"{}\"", select));
+            }
+        }
+    }
+
+    /// Glob with * and ?.
+    static bool matches(std::string_view pattern, std::string_view name) {
+        if (pattern.empty()) return name.empty();
+        if (pattern[0] == '*') {
+            return matches(pattern.substr(1), name) ||
+                   (!name.empty() && matches(pattern, name.substr(1)));
+        }
+        return !name.empty() && (pattern[0] == '?' || pattern[0] == name[0]) &&
+               matches(pattern.substr(1), name.substr(1));
+    }
+
+    const Case& case_;
+    Problems& problems_;
+};
+
+}  // namespace
+
+void check(const Case& value, Problems& problems) { Checks(value, problems).run(); }
+
+}  // namespace hawser

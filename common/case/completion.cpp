@@ -1,0 +1,252 @@
+// Defaults of a case that follow from other keys.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "case/declared.hpp"
+#include "case/line_type_rules.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+class Completion {
+ public:
+    Completion(DeclaredCase& c, const Given& given, Problems& problems)
+        : case_(c), given_(given), problems_(problems) {}
+
+    void run() {
+        waves();
+        current();
+        if (case_.platform) platform(*case_.platform);
+        for (LineTypeKeys& type : case_.line_types) line_type(type);
+        for (LineKeys& line : case_.lines) this->line(line);
+        analysis_and_output();
+    }
+
+ private:
+    bool given(const std::string& path) const { return given_.contains(path); }
+    void error(const std::string& path, const std::string& message) {
+        problems_.push_back({Severity::error, path, message, {}});
+    }
+    void note(const std::string& path, const std::string& message) {
+        problems_.push_back({Severity::note, path, message, {}});
+    }
+
+    void waves() {
+        for (std::size_t i = 0; i < case_.environment.waves.size(); ++i) {
+            WaveTrain& wave = case_.environment.waves[i];
+            const std::string path = fmt::format("environment.waves[{}]", i);
+            if (wave.range_min >= wave.range_max) {
+                error(path + ".range", "the lowest frequency must be below the highest");
+            }
+            if (wave.type == WaveType::jonswap && !wave.gamma) {
+                // DNV-RP-C205, 3.5.5.5
+                const double q = wave.Tp / std::sqrt(wave.Hs);
+                wave.gamma = q <= 3.6 ? 5.0 : q >= 5.0 ? 1.0 : std::exp(5.75 - 1.15 * q);
+                if (!std::isnan(q)) {
+                    note(path + ".gamma", fmt::format("auto: {:.4g} (DNV-RP-C205)", *wave.gamma));
+                }
+            }
+        }
+        if (case_.environment.waves.size() > 1) {
+            error("environment.waves[1]", "several wave trains: not available in this version");
+        }
+    }
+
+    void current() {
+        if (case_.environment.current) {
+            const std::string path = "environment.current.profile";
+            const auto& profile = case_.environment.current->profile;
+            if (profile.empty() && given(path)) error(path, "expected at least one row");
+            for (std::size_t i = 0; i < profile.size(); ++i) {
+                if (profile[i].depth < 0.0) {
+                    error(fmt::format("{}[{}]", path, i),
+                          "depth counts downwards from mean sea level and is not negative");
+                }
+                if (i > 0 && profile[i].depth <= profile[i - 1].depth) {
+                    error(fmt::format("{}[{}]", path, i), "depths must ascend from row to row");
+                }
+            }
+        }
+    }
+
+    /// Frequency of the highest wave energy [rad/s], nothing in still water.
+    std::optional<double> peak_frequency() const {
+        if (case_.environment.waves.empty()) return {};
+        const WaveTrain& wave = case_.environment.waves.front();
+        return 2.0 * pi / (wave.type == WaveType::airy ? wave.T : wave.Tp);
+    }
+
+    void platform(PlatformKeys& p) {
+        Hydrodynamics& hydro = p.hydrodynamics;
+        const std::string path = "platform.hydrodynamics";
+        const std::optional<double> peak = peak_frequency();
+        if (hydro.database && !hydro.added_mass_frequency) {
+            if (!peak) {
+                error(path,
+                      "in still water the frequency of the added mass must be given: "
+                      "added_mass: {constant: 0.3 rad/s}");
+            } else if (std::isfinite(*peak)) {
+                hydro.added_mass_frequency = peak;
+                note(path + ".added_mass.constant",
+                     fmt::format("auto: {:.5g} rad/s (spectral peak)", *peak));
+            }
+        }
+        if (!hydro.wave_phase) {
+            hydro.wave_phase =
+                hydro.drift == Drift::none ? WavePhase::instantaneous : WavePhase::slow;
+        }
+        if (*hydro.wave_phase == WavePhase::slow && !hydro.slow_cutoff && peak &&
+            std::isfinite(*peak)) {
+            hydro.slow_cutoff = *peak / 4.0;
+            note(path + ".slow_cutoff",
+                 fmt::format("auto: {:.5g} rad/s (a quarter of the spectral peak)",
+                             *hydro.slow_cutoff));
+        }
+        if (hydro.drift != Drift::none && !hydro.database) {
+            error(path + ".drift", "drift needs a hydrodynamics.database with drift data");
+        }
+        for (std::size_t i = 0; i < p.members.size(); ++i) member(p, i);
+        if (!p.draft && !p.members.empty()) {
+            double lowest = 0.0;
+            for (const Member& m : p.members) {
+                lowest = std::min({lowest, m.from.z(), m.to.z()});
+            }
+            p.draft = -lowest;
+        }
+    }
+
+    void member(PlatformKeys& p, std::size_t i) {
+        Member& m = p.members[i];
+        const std::string path = fmt::format("platform.members[{}]", i);
+        if (!given(path + ".inertia")) m.inertia = !p.hydrodynamics.database;
+        if (!given(path + ".displaced_area")) {
+            m.displaced_area = m.inertia ? pi / 4.0 * m.diameter * m.diameter : 0.0;
+        } else if (!m.inertia && m.displaced_area > 0.0) {
+            error(path + ".displaced_area", "must be 0 where inertia is false");
+        }
+        if ((m.to - m.from).norm() == 0.0) error(path + ".to", "the member has no length");
+    }
+
+    void line_type(LineTypeKeys& type) {
+        const Material* material = nullptr;
+        if (type.material) {
+            std::vector<std::string> known;
+            for (const Material& m : case_.materials) {
+                known.push_back(m.name);
+                if (m.name == *type.material) material = &m;
+            }
+            if (material == nullptr) {
+                error("line_types." + type.name + ".material",
+                      fmt::format("unknown material \"{}\"{}", *type.material,
+                                  suggestion(*type.material, known)));
+                // What follows from the material is unknown, not missing.
+                if (!type.mass) type.mass = NAN;
+                if (!type.EA && !type.viscoelastic) type.EA = NAN;
+                if (!type.EI) type.EI = NAN;
+            }
+        }
+        complete_line_type(type, material, problems_);
+    }
+
+    void line(LineKeys& line) {
+        if (line.family.empty()) line.family = line.name;
+        azimuths(line);
+        elements(line);
+    }
+
+    /// The line's own azimuth, and that of its ends where they leave it out.
+    void azimuths(LineKeys& line) {
+        const std::string path = "lines." + line.family;
+        std::optional<double>* open_a = line.end_a.polar ? &line.end_a.polar->azimuth : nullptr;
+        std::optional<double>* open_b =
+            line.end_b.anchor && line.end_b.anchor->radius ? &line.end_b.anchor->azimuth : nullptr;
+        if (!line.azimuth) {
+            if (open_b != nullptr && *open_b)
+                line.azimuth = **open_b;
+            else if (open_a != nullptr && *open_a && open_b == nullptr)
+                line.azimuth = **open_a;
+        }
+        const auto fill = [&](std::optional<double>* azimuth, const char* end) {
+            if (azimuth == nullptr || *azimuth) return;
+            if (line.azimuth) {
+                *azimuth = line.azimuth;
+            } else {
+                error(path + "." + end, "\"azimuth\" must be given: the line has no pattern");
+                *azimuth = NAN;
+            }
+        };
+        fill(open_a, "end_a.polar");
+        fill(open_b, "end_b.anchor");
+        for (EndKeys* end : {&line.end_a, &line.end_b}) {  // the other places where they may stand
+            if (end->anchor && end->anchor->radius && !end->anchor->azimuth) {
+                fill(&end->anchor->azimuth, "end_a.anchor");
+            }
+            if (end->polar && !end->polar->azimuth) fill(&end->polar->azimuth, "end_b.polar");
+        }
+        if (!line.azimuth) {
+            const std::optional<Vec3> a = horizontal(line.end_a), b = horizontal(line.end_b);
+            const Vec3 span = a && b ? Vec3(*b - *a) : Vec3::Zero().eval();
+            line.azimuth = span.head<2>().norm() > 0.0 ? std::atan2(span.y(), span.x()) : 0.0;
+        }
+    }
+
+    /// Place of an end in plan, at the design position; nothing for a free end.
+    static std::optional<Vec3> horizontal(const EndKeys& end) {
+        if (end.position) return *end.position;
+        if (end.fixed) return *end.fixed;
+        if (end.polar && end.polar->azimuth) {
+            return Vec3(end.polar->radius * std::cos(*end.polar->azimuth),
+                        end.polar->radius * std::sin(*end.polar->azimuth), 0.0);
+        }
+        if (end.anchor && end.anchor->position && end.anchor->position->size() >= 2) {
+            return Vec3((*end.anchor->position)[0], (*end.anchor->position)[1], 0.0);
+        }
+        if (end.anchor && end.anchor->radius && end.anchor->azimuth) {
+            return Vec3(*end.anchor->radius * std::cos(*end.anchor->azimuth),
+                        *end.anchor->radius * std::sin(*end.anchor->azimuth), 0.0);
+        }
+        return {};
+    }
+
+    static void elements(LineKeys& line) {
+        double length = 0.0;
+        for (const SectionKeys& s : line.sections) length += s.length;
+        for (SectionKeys& s : line.sections) {
+            if (s.element_length) {
+                const double n = std::round(s.length / *s.element_length);
+                s.elements = n >= 1.0 && n < 1e6 ? static_cast<int>(n) : 1;
+                s.element_length.reset();
+            } else if (!s.elements) {
+                const double n = std::round(20.0 * s.length / length);
+                s.elements = n >= 2.0 ? static_cast<int>(n) : 2;
+            }
+        }
+    }
+
+    void analysis_and_output() {
+        Dynamics& d = case_.analysis.dynamics;
+        if (!given("analysis.dynamics.statistics_from")) {
+            d.statistics_from = std::max(d.ramp, std::min(600.0, d.duration / 2.0));
+        }
+        Output& out = case_.output;
+        if (!given("output.interval")) out.interval = d.platform_step;
+        if (!given("output.lines") && !case_.lines.empty()) out.lines = {LineOutput{}};
+    }
+
+    DeclaredCase& case_;
+    const Given& given_;
+    Problems& problems_;
+};
+
+}  // namespace
+
+void complete(DeclaredCase& declared, const Given& given, Problems& problems) {
+    Completion(declared, given, problems).run();
+}
+
+}  // namespace hawser

@@ -1,0 +1,325 @@
+// Keys of lines: families of lines and what they are made of.
+#include "case/lines.hpp"
+
+#include <charconv>
+#include <numbers>
+
+#include "case/declared.hpp"
+
+namespace hawser {
+namespace {
+
+using namespace dimension;
+constexpr double turn = 2.0 * std::numbers::pi;
+
+const Table& polar_keys() {
+    static const Table table = [] {
+        Keys<PolarKeys> k("polar");
+        k.number("radius", &PolarKeys::radius, length, "From the platform's axis")
+            .required()
+            .at_least(0)
+            .eg("20.5 m");
+        k.number("azimuth", &PolarKeys::azimuth, angle, "Counter-clockwise from +x, from above")
+            .follows("the line's azimuth")
+            .at_least(-turn)
+            .at_most(turn)
+            .eg("60 deg");
+        k.number("z", &PolarKeys::z, length, "Height on the platform").required().eg("-60 m");
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& anchor_keys() {
+    static const Table table = [] {
+        Keys<AnchorKeys> k("anchor");
+        k.number("radius", &AnchorKeys::radius, length,
+                 "From the platform's axis at its design position")
+            .above(0)
+            .eg("2068 m");
+        k.number("azimuth", &AnchorKeys::azimuth, angle, "Counter-clockwise from +x, from above")
+            .follows("the line's azimuth")
+            .at_least(-turn)
+            .at_most(turn)
+            .eg("60 deg");
+        Key& position = k.custom(
+            "position", Form::numbers, {length}, "x and y (z is that of the seabed)",
+            [](AnchorKeys& a, const Value& v) { a.position = std::get<std::vector<double>>(v); },
+            [](const AnchorKeys& a) -> Value {
+                if (!a.position) return {};
+                return *a.position;
+            });
+        position.fewest = 2;
+        position.most = 3;
+        position.eg("[2068 m, 0 m]");
+        k.rule(KeyRule::Count::exactly_one, {"radius", "position"});
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& wellhead_keys() {
+    static const Table table = [] {
+        Keys<EndKeys> k("wellhead");
+        k.number("z", &EndKeys::wellhead_z, length, "Height of the wellhead, below end A")
+            .required()
+            .eg("-1500 m");
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& harmonic_keys() {
+    static const Table table = [] {
+        Keys<HarmonicKeys> k("harmonic");
+        k.number("amplitude", &HarmonicKeys::amplitude, length, "Amplitude").required().eg("2 m");
+        k.number("period", &HarmonicKeys::period, dimension::time, "Period")
+            .required()
+            .above(0)
+            .eg("12 s");
+        k.number("phase", &HarmonicKeys::phase, angle, "Phase of the sine").def("0 deg");
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& motion_keys() {
+    static const Table table = [] {
+        Keys<MotionKeys> k("motion");
+        k.map("surge", &MotionKeys::surge, harmonic_keys, "Harmonic motion along x");
+        k.map("sway", &MotionKeys::sway, harmonic_keys, "Harmonic motion along y");
+        k.map("heave", &MotionKeys::heave, harmonic_keys, "Harmonic motion along z");
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& end_keys() {
+    static const Table table = [] {
+        Keys<EndKeys> k("end");
+        k.text("platform", &EndKeys::platform, "The end moves with the platform of this name")
+            .eg("spar");
+        k.vector("position", &EndKeys::position, {length}, "Place on the platform")
+            .eg("[20.5 m, 0 m, -60 m]");
+        k.map("polar", &EndKeys::polar, polar_keys, "Place on the platform, by radius and azimuth");
+        k.map("anchor", &EndKeys::anchor, anchor_keys, "The end is held on the seabed");
+        k.group("wellhead", wellhead_keys, "The end is held on the earth, straight below end A");
+        k.vector("fixed", &EndKeys::fixed, {length}, "The end is held on the earth, at x, y, z")
+            .eg("[0 m, 0 m, -10 m]");
+        k.map("motion", &EndKeys::motion, motion_keys, "Prescribed motion of a fixed end");
+        Key& free = k.flag("free", &EndKeys::free, "The end hangs free");
+        free.eg("true");
+        k.choice("joint", &EndKeys::joint,
+                 std::vector<std::pair<std::string, Joint>>{
+                     {"ball", Joint::ball}, {"clamped", Joint::clamped}, {"flex", Joint::flex}},
+                 "No moment, direction held, or rotational spring")
+            .def("ball");
+        k.number("rotational_stiffness", &EndKeys::rotational_stiffness,
+                 dimension::rotational_stiffness, "Of a flex joint: moment per angle")
+            .needed_with("joint", {"flex"})
+            .at_least(0)
+            .eg("15 kN.m/deg");
+        k.number("direction", &EndKeys::direction, angle,
+                 "Axis of a flex joint or clamp: angle from vertical down, in the plane of the "
+                 "line's azimuth; static: the tangent in still water")
+            .only_with("joint", {"clamped", "flex"})
+            .or_word("static")
+            .at_least(-turn)
+            .at_most(turn)
+            .eg("10 deg");
+        k.later("line", "End on another line");
+        k.later("arc", "End on another line");
+        k.rule(KeyRule::Count::exactly_one, {"platform", "anchor", "wellhead", "fixed", "free"});
+        k.rule(KeyRule::Count::at_most_one, {"position", "polar"});
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& section_keys() {
+    static const Table table = [] {
+        Keys<SectionKeys> k("sections");
+        k.text("type", &SectionKeys::type, "Name under line_types").required().eg("chain");
+        k.number("length", &SectionKeys::length, dimension::length, "Unstretched length")
+            .required()
+            .above(0)
+            .eg("91 m");
+        k.integer("elements", &SectionKeys::elements, "Number of elements")
+            .follows("20 a line, shared by length, at least 2 a section")
+            .at_least(1)
+            .at_most(100000)
+            .eg("6");
+        k.number("element_length", &SectionKeys::element_length, dimension::length,
+                 "Length of an element, instead of their number")
+            .above(0)
+            .eg("15 m");
+        k.number("growth", &SectionKeys::growth, dimension::number,
+                 "Ratio of neighbouring elements, from end A")
+            .def("1")
+            .above(0)
+            .at_most(10);
+        k.rule(KeyRule::Count::at_most_one, {"elements", "element_length"});
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& attachment_keys() {
+    static const Table table = [] {
+        Keys<AttachmentKeys> k("attachments");
+        k.custom(
+             "at", Form::place, {length}, "Arc length from end A, or joint n between two sections",
+             [](AttachmentKeys& a, const Value& v) {
+                 if (const auto* s = std::get_if<double>(&v)) {
+                     a.arc_length = *s;
+                 } else {
+                     const std::string& text = std::get<std::string>(v);  // "joint n"
+                     int n = 0;
+                     std::from_chars(text.data() + 6, text.data() + text.size(), n);
+                     a.joint = n;
+                 }
+             },
+             [](const AttachmentKeys& a) -> Value {
+                 if (a.joint) return "joint " + std::to_string(*a.joint);
+                 if (a.arc_length) return *a.arc_length;
+                 return {};
+             })
+            .required()
+            .at_least(0)
+            .eg("joint 1");
+        k.number("mass", &AttachmentKeys::mass, dimension::mass, "Mass")
+            .def("0 kg")
+            .at_least(0)
+            .eg("4 t");
+        k.number("volume", &AttachmentKeys::volume, dimension::volume, "Displaced volume")
+            .def("0 m3")
+            .at_least(0)
+            .eg("0.5 m3");
+        k.number("drag_area", &AttachmentKeys::drag_area, area, "Drag coefficient x area")
+            .def("0 m2")
+            .at_least(0);
+        k.number("Ca", &AttachmentKeys::Ca, dimension::number,
+                 "Added mass coefficient on the volume")
+            .def("0")
+            .at_least(0);
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& sheltered_keys() {
+    static const Table table = [] {
+        Keys<LineKeys> k("sheltered");
+        k.number("above", &LineKeys::sheltered_above, length,
+                 "Height on the platform above which the water moves with it: no wave, no current")
+            .required()
+            .eg("-70 m");
+        return k.done();
+    }();
+    return table;
+}
+
+}  // namespace
+
+const Table& pattern_keys() {
+    static const Table table = [] {
+        Keys<PatternKeys> k("pattern");
+        k.text("names", &PatternKeys::names, "Names of the lines; {n} counts from 1")
+            .required()
+            .eg("ml{n}");
+        k.integer("groups", &PatternKeys::groups, "Number of groups")
+            .required()
+            .at_least(1)
+            .at_most(1000)
+            .eg("3");
+        k.number("group_spacing", &PatternKeys::group_spacing, angle,
+                 "Angle from one group to the next")
+            .def("0 deg")
+            .eg("120 deg");
+        k.integer("per_group", &PatternKeys::per_group, "Lines in a group")
+            .def("1")
+            .at_least(1)
+            .at_most(1000)
+            .eg("4");
+        k.number("spacing", &PatternKeys::spacing, angle, "Angle between neighbours in a group")
+            .def("0 deg")
+            .eg("5 deg");
+        k.number("first_group", &PatternKeys::first_group, angle,
+                 "Azimuth of the first group's middle")
+            .def("0 deg");
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& positions_keys() {
+    static const Table table = [] {
+        Keys<PositionsKeys> k("positions");
+        k.text("names", &PositionsKeys::names, "Names of the lines; {n} counts from 1")
+            .required()
+            .eg("ttr{n}");
+        Key& xy = k.custom(
+            "xy", Form::rows, {length, length}, "x and y of end A on the platform, a row per line",
+            [](PositionsKeys& p, const Value& v) {
+                p.xy = std::get<std::vector<std::vector<double>>>(v);
+            },
+            [](const PositionsKeys& p) -> Value { return p.xy; });
+        xy.fewest = xy.most = 2;
+        xy.required().eg("[[4.5, 4.5], [-4.5, 4.5]]");
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& line_keys() {
+    static const Table table = [] {
+        Keys<LineKeys> k("lines");
+        k.plain("like", Form::text, "Start from this other family");
+        Key& pattern = k.plain("pattern", Form::map, "Lines in groups round the platform");
+        pattern.table = pattern_keys;
+        Key& positions = k.plain("positions", Form::map, "Vertical lines at given places");
+        positions.table = positions_keys;
+        Key& top = k.plain("top_z", Form::number,
+                           "With positions: height of end A at the design position");
+        top.dimensions = {length};
+        top.eg("22 m");
+        k.plain("each", Form::entries,
+                "A list of maps, one line each: its name names the line, every key becomes "
+                "${key} in the rest of the family");
+        k.text("family", &LineKeys::family, "Family of the line in results")
+            .follows("the name it stands under")
+            .eg("mooring");
+        k.number("azimuth", &LineKeys::azimuth, angle,
+                 "Direction from the platform's centre towards the anchor")
+            .follows("that of the pattern, else from end A to end B")
+            .at_least(-2 * turn)
+            .at_most(2 * turn)
+            .eg("60 deg");
+        k.map("end_a", &LineKeys::end_a, end_keys, "The platform end").required();
+        k.map("end_b", &LineKeys::end_b, end_keys, "The seabed end").required();
+        k.list("sections", &LineKeys::sections, section_keys, "Sections from end A").required();
+        k.list("attachments", &LineKeys::attachments, attachment_keys,
+               "Point masses, clumps, buoys");
+        k.number("time_step", &LineKeys::time_step, dimension::time,
+                 "Upper bound of this family's rod step")
+            .follows("analysis.dynamics.steps.lines")
+            .above(0)
+            .eg("0.02 s");
+        k.group("sheltered", sheltered_keys,
+                "Part of the line in water that moves with the platform");
+        k.only("model", "dynamic", {"quasi_static", "catenary", "linear_spring"},
+               "How these lines respond");
+        for (const char* name : {"pretension", "hang_off_angle", "adjust"}) {
+            k.later(name, "Static target of a line");
+        }
+        k.later("constraints", "Tensioners, guides and the like");
+        k.later("reference_temperature", "For wall tension and stress");
+        k.later("internal_pressure", "For wall tension and stress");
+        k.later("fail", "Parting of a line");
+        k.rule(KeyRule::Count::at_most_one, {"pattern", "positions", "each"});
+        return k.done();
+    }();
+    return table;
+}
+
+}  // namespace hawser

@@ -289,6 +289,11 @@ HydroData read_hydro(const HydroDatabase& database, const Water& water) {
     data.density = database.rho;
     data.displaced_volume = database.displaced_volume;
     data.centre_of_buoyancy = database.centre_of_buoyancy;
+    if (database.rho < 900.0 || database.rho > 1100.0)
+        r.problems.add(
+            database.path, 0,
+            fmt::format("rho: expected the density of water, 900 to 1100 kg/m3; got {:g}",
+                        database.rho));
     read_radiation(r, data);
     read_excitation(r, data);
     read_drift(r, data);

@@ -17,7 +17,7 @@ const double period = 2 * M_PI / omega;
 /// Files of a hemisphere of radius 2 m: invented coefficients of the right size at one frequency,
 /// exact hydrostatics (C44 = 0: the metacentre is at O).
 struct Hemisphere {
-    double ulen = 1.0;
+    double ulen = 1.0, density = rho;
     std::vector<double> headings{0, 90, 180, 270};
     std::map<std::string, std::string> text;  ///< by extension
     HydroDatabase database;
@@ -72,7 +72,7 @@ struct Hemisphere {
         std::filesystem::create_directories(folder);
         database.path = (folder / "ball").string();
         database.ulen = ulen;
-        database.rho = rho;
+        database.rho = density;
         database.displaced_volume = 2.0 / 3 * M_PI * std::pow(radius, 3);
         if (database.centre_of_buoyancy.isZero())
             database.centre_of_buoyancy = {0, 0, -3.0 / 8 * radius};
@@ -234,6 +234,14 @@ TEST(HydroFile, WrongLengthUnitBreaksTheWaterplane) {  // the disc has the least
     Hemisphere ball;
     ball.ulen = 1.5;  // files were written for 1
     EXPECT_THAT(ball.complaint(), HasSubstr("Check ulen"));
+}
+
+TEST(HydroFile, DensityMustBeThatOfWater) {
+    Hemisphere ball;
+    ball.density = 1.025;
+    EXPECT_THAT(ball.complaint(), HasSubstr("expected the density of water, 900 to 1100 kg/m3"));
+    ball.density = 1000;  // good, but not the case's 1025: said
+    EXPECT_THAT(ball.read().notes.back(), HasSubstr("made dimensional with 1000 kg/m3"));
 }
 
 TEST(HydroFile, DriftFallsBackToPressureThenControlSurface) {

@@ -408,6 +408,7 @@ void Hdf5File::write_texts(const std::string& path, const std::vector<std::strin
     const Hdf5Handle dataset =
         create_raw(path, type.id(), space_of({texts.size()}, where).id(), H5P_DEFAULT);
     std::vector<const char*> values;
+    values.reserve(texts.size());
     for (const std::string& text : texts) values.push_back(text.c_str());
     if (values.empty()) return;
     checked(H5Dwrite(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),

@@ -77,6 +77,7 @@ JoinedTimes joined_times(const std::vector<std::filesystem::path>& segments) {
 void join_fields(Hdf5File& file, const std::vector<std::filesystem::path>& segments,
                  const std::vector<SeriesField>& fields, const JoinedTimes& times) {
     std::vector<GrowingField> growing;
+    growing.reserve(fields.size());
     for (const SeriesField& field : fields) {
         growing.emplace_back(
             file, field,

@@ -38,6 +38,10 @@ ExitCode run_master(const Case& input, const RunRequest& request, io::Link& link
 /// All other ranks.
 ExitCode run_worker(const Case& input, const RunRequest& request, io::Link& link);
 
+/// What a run of the case on so many ranks would take, as text for people: allocation, memory of
+/// the busiest rank (measured by building its lines), size of the output.
+std::string dry_run(const Case& input, int ranks);
+
 /// The lines of these packs (indices into packs_of(input)), computed in this process. Replies carry
 /// this process's lines only, in ascending line order; of several failing lines the first in line
 /// order is the one reported. Flags of an order are carried out in send(). On `sample` and

@@ -43,6 +43,14 @@ Launch launch() {
     return {};
 }
 
+std::string mpi_version() {
+    char words[MPI_MAX_LIBRARY_VERSION_STRING];
+    int length = 0;
+    check(MPI_Get_library_version(words, &length), "MPI_Get_library_version");
+    const std::string text(words, static_cast<std::size_t>(length));
+    return text.substr(0, text.find(','));  // Open MPI goes on with where it was built
+}
+
 Link::Link() : handle_(std::make_unique<Handle>()) {}
 Link::Link(std::unique_ptr<Handle> handle) : handle_(std::move(handle)) {}
 Link::Link(Link&&) noexcept = default;

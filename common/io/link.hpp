@@ -19,6 +19,9 @@ struct Launch {
 };
 [[nodiscard]] Launch launch();
 
+/// Name and version of the MPI library; MPI need not be started.
+[[nodiscard]] std::string mpi_version();
+
 /// Ranks that work on one run, with a communicator of their own. Every member function except
 /// rank(), size() and fail() is collective: all ranks call it, in the same order.
 class Link {

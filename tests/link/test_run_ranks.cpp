@@ -1,0 +1,117 @@
+// Whole coupled runs on several ranks: the same bits as alone, and every rank ends together.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <optional>
+
+#include "io/hdf5.hpp"
+#include "moored_spar.hpp"
+#include "ranks.hpp"
+#include "roles.hpp"
+
+namespace hawser {
+namespace {
+
+namespace fs = std::filesystem;
+using test::ranks;
+
+/// A folder that all ranks name alike; rank 0 clears it.
+fs::path folder(const std::string& name) {
+    const fs::path path =
+        fs::path(testing::TempDir()) / ("hawser_np" + std::to_string(ranks().size()) + "_" + name);
+    if (ranks().rank() == 0) fs::remove_all(path);
+    ranks().barrier();
+    return path;
+}
+
+ExitCode run(const Case& input, const fs::path& path, io::Link& link) {
+    RunRequest request;
+    request.folder = path;
+    request.progress = ProgressStyle::none;
+    request.quiet = true;
+    return link.rank() == 0 ? run_master(input, request, link) : run_worker(input, request, link);
+}
+
+void expect_same_bits(const io::Hdf5File& a, const io::Hdf5File& b, const std::string& path) {
+    const std::vector<double> x = a.read(path), y = b.read(path);
+    ASSERT_EQ(x.size(), y.size()) << path;
+    ASSERT_GT(x.size(), 0U) << path;
+    EXPECT_EQ(std::memcmp(x.data(), y.data(), x.size() * sizeof(double)), 0) << path;
+}
+
+TEST(RunOnRanks, GivesTheBitsOfARunAlone) {
+    const Case input = test::moored_spar();
+    const fs::path together = folder("together"), by_itself = folder("alone");
+    io::Link link = ranks().duplicate();
+    ASSERT_EQ(run(input, together, link), ExitCode::done);
+    if (ranks().rank() == 0) {
+        io::Link alone;
+        ASSERT_EQ(run(input, by_itself, alone), ExitCode::done);
+        const io::Hdf5File a = io::Hdf5File::open(together / "result.h5");
+        const io::Hdf5File b = io::Hdf5File::open(by_itself / "result.h5");
+        for (const char* path :
+             {"/time", "/snapshot_time", "/platform/spar/position", "/platform/spar/velocity",
+              "/platform/spar/acceleration", "/platform/spar/loads/lines",
+              "/platform/spar/loads/members", "/platform/spar/loads/total",
+              "/environment/elevation", "/lines/end_a/effective_tension",
+              "/lines/end_b/effective_tension", "/lines/end_a/force", "/lines/nodes/position",
+              "/ledger/spar/mean", "/ledger/spar/residual"})
+            expect_same_bits(a, b, path);
+        // and it moved: this is not the same still water twice
+        const std::vector<double> surge = a.dataset("/platform/spar/position").read_column(0);
+        EXPECT_GT(std::abs(surge.back() - surge.front()), 1e-3);
+        fs::remove_all(together);
+        fs::remove_all(by_itself);
+    }
+    ranks().barrier();
+}
+
+TEST(RunOnRanks, EndsOnAllRanksWithThreeWhenTheInputIsWrong) {
+    Case input = test::moored_spar();
+    input.platform->hydrodynamics.database.emplace().path = "/nowhere/at_all";
+    io::Link link = ranks().duplicate();
+    if (ranks().rank() == 0) testing::internal::CaptureStderr();
+    EXPECT_EQ(run(input, folder("input"), link), ExitCode::input);
+    if (ranks().rank() == 0) {
+        EXPECT_NE(testing::internal::GetCapturedStderr().find("/nowhere/at_all"),
+                  std::string::npos);
+    }
+}
+
+TEST(RunOnRanks, EndsOnAllRanksWithFourWhenALineHasNoEquilibrium) {
+    Case input = test::moored_spar();
+    input.lines[3].sections[0].length = 300.0;  // shorter than the way to its anchor by half
+    const fs::path path = folder("short");
+    io::Link link = ranks().duplicate();
+    if (ranks().rank() == 0) testing::internal::CaptureStderr();
+    EXPECT_EQ(run(input, path, link), ExitCode::no_equilibrium);
+    if (ranks().rank() == 0) {
+        const std::string said = testing::internal::GetCapturedStderr();
+        EXPECT_NE(said.find("ml4"), std::string::npos) << said;
+        fs::remove_all(path);
+    }
+    ranks().barrier();
+}
+
+TEST(RunOnRanks, EndsOnAllRanksWithFiveAndAReadableResultWhenALineFails) {
+    Case input = test::moored_spar();
+    // Heave far too stiff for the platform step: it throws the lines about.
+    input.platform->hydrodynamics.matrix->stiffness(2, 2) = 3e9;
+    input.analysis.dynamics.duration = 200.0;
+    const fs::path path = folder("light");
+    io::Link link = ranks().duplicate();
+    if (ranks().rank() == 0) testing::internal::CaptureStderr();
+    EXPECT_EQ(run(input, path, link), ExitCode::diverged);
+    if (ranks().rank() == 0) {
+        const std::string said = testing::internal::GetCapturedStderr();
+        EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+        const io::Hdf5File result = io::Hdf5File::open(path / "result.h5");
+        EXPECT_GE(result.read("/time").size(), 1U);
+        fs::remove_all(path);
+    }
+    ranks().barrier();
+}
+
+}  // namespace
+}  // namespace hawser

@@ -29,12 +29,10 @@ def compare(a, b):
     return result.returncode, result.stdout + result.stderr
 
 
-class Results(unittest.TestCase):
+class InAFolder(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.mkdtemp(prefix="hawser_results_")
-        subprocess.run([PROGRAM, "spar", cls.path("alone"), "30"], check=True, capture_output=True)
-        cls.result = cls.path("alone", "result.h5")
 
     @classmethod
     def tearDownClass(cls):
@@ -43,6 +41,34 @@ class Results(unittest.TestCase):
     @classmethod
     def path(cls, *parts):
         return os.path.join(cls.folder, *parts)
+
+
+class Figures(InAFolder):
+    def test_plot_draws_what_each_kind_of_run_recorded(self):
+        figures = {
+            "spar": {"motions", "environment", "tensions", "offset", "system", "ledger"},
+            "decay": {"motions", "decay", "ledger"},
+            "chain": {"tensions", "lines"},
+        }
+        for kind, names in figures.items():
+            folder = self.path(kind)
+            subprocess.run([PROGRAM, kind, folder, "60"], check=True, capture_output=True)
+            done = run(os.path.join(SCRIPTS, "plot"), folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.stderr, "")
+            drawn = [line for line in done.stdout.splitlines()]
+            self.assertEqual({os.path.basename(f) for f in drawn}, {n + ".png" for n in names})
+            for file in drawn:
+                self.assertGreater(os.path.getsize(file), 10_000, file)
+        self.assertEqual(run(os.path.join(SCRIPTS, "plot"), self.path("nothing")).returncode, 2)
+
+
+class Results(InAFolder):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        subprocess.run([PROGRAM, "spar", cls.path("alone"), "30"], check=True, capture_output=True)
+        cls.result = cls.path("alone", "result.h5")
 
     def changed(self, change):
         """compare of the result with a copy that `change` has worked on."""
@@ -131,24 +157,6 @@ class Results(unittest.TestCase):
     def test_compare_refuses_wrong_use(self):
         self.assertEqual(run(os.path.join(SCRIPTS, "compare"), self.result).returncode, 2)
         self.assertEqual(compare(self.result, self.path("nothing.h5"))[0], 2)
-
-    def test_plot_draws_what_each_kind_of_run_recorded(self):
-        figures = {
-            "spar": {"motions", "environment", "tensions", "offset", "system", "ledger"},
-            "decay": {"motions", "decay", "ledger"},
-            "chain": {"tensions", "lines"},
-        }
-        for kind, names in figures.items():
-            folder = self.path("plot_" + kind)
-            subprocess.run([PROGRAM, kind, folder, "60"], check=True, capture_output=True)
-            done = run(os.path.join(SCRIPTS, "plot"), folder)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual(done.stderr, "")
-            drawn = [line for line in done.stdout.splitlines()]
-            self.assertEqual({os.path.basename(f) for f in drawn}, {n + ".png" for n in names})
-            for file in drawn:
-                self.assertGreater(os.path.getsize(file), 10_000, file)
-        self.assertEqual(run(os.path.join(SCRIPTS, "plot"), self.path("nothing")).returncode, 2)
 
     def test_a_disk_that_fills_up_ends_all_ranks_with_exit_code_6_and_the_path(self):
         for ranks in ([], [MPIEXEC, "-n", "3", "--oversubscribe"]):

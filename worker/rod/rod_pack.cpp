@@ -137,8 +137,9 @@ void RodPack<V>::set_properties(const Case& input) {
                         input.analysis.dynamics.line_step));
         sheltered_above_.push_back(line.sheltered_above.value_or(1e30));
     }
-    std::stable_sort(masses_.begin(), masses_.end(),
-                     [](const auto& a, const auto& b) { return a.node < b.node; });
+    // not stable_sort: its buffer ignores the alignment of vector lanes
+    std::sort(masses_.begin(), masses_.end(),
+              [](const auto& a, const auto& b) { return a.node < b.node; });
     set_slope_law(place_a_, law_a_, properties_.back());
     set_slope_law(place_b_, law_b_, properties_.front());
     set_spring();

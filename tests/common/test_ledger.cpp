@@ -1,4 +1,4 @@
-// The load ledger against a body whose motion is known in closed form.
+// The load ledger, P:2 integrated over a run, against a body whose motion is known in closed form.
 #include <gtest/gtest.h>
 
 #include <array>

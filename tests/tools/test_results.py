@@ -197,6 +197,9 @@ class Results(InAFolder):
                 np.testing.assert_array_equal(file["/time"][:], 0.5 * np.arange(100 * n - 100, 100 * n))
                 self.assertTrue(np.isfinite(file["/lines/end_a/effective_tension"][:]).all())
                 self.assertTrue(np.isfinite(file["/lines/nodes/position"][:]).all())
+        drawn = run(os.path.join(SCRIPTS, "plot"), folder)  # what is left can be looked at
+        self.assertEqual((drawn.returncode, drawn.stderr), (0, ""))
+        self.assertIn("motions.png", drawn.stdout)
 
     @staticmethod
     def ranks_of(launcher):

@@ -244,7 +244,7 @@ class Keys {
         return key;
     }
     /// A choice of which this version knows one: nothing is stored.
-    Key& only(std::string name, std::string word, std::vector<std::string> not_yet,
+    Key& only(std::string name, const std::string& word, std::vector<std::string> not_yet,
               std::string sentence) {
         Key& key = add(std::move(name), Form::choice, std::move(sentence));
         key.choices = {word};

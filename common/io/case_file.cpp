@@ -196,7 +196,7 @@ class Loader {
         std::string at;
         for (int i = 0; i <= line && std::getline(lines, at); ++i) {
         }
-        const std::size_t start = at.find_first_not_of(" ");
+        const std::size_t start = at.find_first_not_of(' ');
         if (start != std::string::npos && at[start] == '\t') {
             return "a tab is used for indentation; YAML needs spaces";
         }
@@ -307,8 +307,8 @@ CaseFile read_case(const fs::path& path, const Overrides& overrides) {
             node.kind = Node::Kind::scalar;
             node.text = value;
         }
-        const std::function<void(Node&)> mark = [&](Node& n) {
-            n.place = {"--set " + key, 0, 0};
+        const std::function<void(Node&)> mark = [&mark, origin = "--set " + key](Node& n) {
+            n.place = {origin, 0, 0};
             for (Node& item : n.items) mark(item);
             for (Entry& e : n.entries) {
                 e.place = n.place;

@@ -268,12 +268,21 @@ Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference) {
     Mat3 Ks;
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) Ks(i, k) = T::get(slope_load_a_.stiffness(i, k), lane);
+    // The joint's force f on the slope d turns with the platform, and the flex joint's tangent has
+    // parts along the rod, (d f^T + f d^T)/d^2, which R:31 leaves out of the iteration.
+    const Vec3 d = lane_vector(working_.nodes()[properties_.size()].d, lane);
+    const Vec3 f = lane_vector(slope_load_a_.force, lane);
+    if (std::holds_alternative<FlexJoint<V>>(law_a_)) {
+        const Mat3 along = (d * f.transpose() + f * d.transpose()) / d.squaredNorm();
+        Ks += along;
+        D.block<3, 3>(3, 3) += along;
+    }
     const NodeState<V>& node = working_.nodes()[properties_.size()];
     // R:21: a point turns with l x, a slope with r' x
     Eigen::Matrix<double, 3, 6> B, Bs;
     const Vec3 lever = lane_vector(node.r, lane) - reference;
     B << Mat3::Identity(), -skew(lever);
-    Bs << Mat3::Zero(), -skew(lane_vector(node.d, lane));
+    Bs << Mat3::Zero(), -skew(d);
     // Departs from R:23, which leaves this out: the lever turns under the force, d(l x F) = (dtheta
     // x l) x F. It is most of the yaw stiffness of a mooring.
     Mat6 turning = Mat6::Zero();
@@ -289,6 +298,8 @@ Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference) {
     // R:22, R:23: border columns and block, then the elimination of (r', lambda)
     Eigen::Matrix<double, 4, 6> K = D.bottomLeftCorner<4, 3>() * B;
     K.topRows<3>() -= Ks * Bs;
+    K.topRightCorner<3, 3>() += skew(f);
+    turning.bottomRightCorner<3, 3>() -= skew(d) * skew(f);
     const Mat6 M = B.transpose() * D.topLeftCorner<3, 3>() * B + Bs.transpose() * Ks * Bs;
     const Eigen::Matrix4d Dyy = D.bottomRightCorner<4, 4>();
     return M - K.transpose() * Dyy.inverse() * K + turning;

@@ -101,7 +101,7 @@ const Table& dynamics_keys() {
             .at_least(0);
         k.number("statistics_from", &Dynamics::statistics_from, dimension::time,
                  "Statistics and ledger cover the time from here")
-            .follows("max(ramp, min(600 s, duration/2))")
+            .follows("max(ramp, min(600 s, duration/2)); half of a run shorter than that")
             .at_least(0)
             .eg("600 s");
         k.group("steps", steps_keys, "Time steps");

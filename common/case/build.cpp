@@ -28,16 +28,12 @@ class Build {
             value_.line_types.push_back(line_type(type));
         }
         for (const LineKeys& line : declared_.lines) this->line(line);
-        unused();
         return std::move(value_);
     }
 
  private:
     void error(const std::string& path, const std::string& message) {
         problems_.push_back({Severity::error, path, message, {}});
-    }
-    void warning(const std::string& path, const std::string& message) {
-        problems_.push_back({Severity::warning, path, message, {}});
     }
 
     void platform(const PlatformKeys& keys, const std::filesystem::path& folder) {
@@ -87,7 +83,7 @@ class Build {
             error(path + ".end_b.platform",
                   "end B on a platform: not available in this version; let end A be there");
         }
-        if (line.end_a.kind == EndKind::free && line.end_b.kind == EndKind::free) {
+        if (keys.end_a.free == true && keys.end_b.free == true) {
             error(path, "both ends are free: one must be held");
         }
         for (std::size_t i = 0; i < keys.sections.size(); ++i)
@@ -110,7 +106,6 @@ class Build {
                 fmt::format("{}.sections[{}].type", path, i),
                 fmt::format("unknown line type \"{}\"{}", keys.type, suggestion(keys.type, known)));
         }
-        used_types_.insert(keys.type);
         line.sections.push_back({.type = type,
                                  .length = keys.length,
                                  .elements = keys.elements.value_or(0),
@@ -126,9 +121,9 @@ class Build {
         if (keys.joint) {
             const int last = static_cast<int>(line.sections.size()) - 1;
             if (*keys.joint < 1 || *keys.joint > last) {
-                error(path + ".at",
-                      fmt::format("the line has {} sections, so joints 1 to {}; got \"joint {}\"",
-                                  last + 1, last, *keys.joint));
+                error(path + ".at", last < 1 ? "a line of one section has no joints"
+                                             : fmt::format("expected joint 1 to {}; got joint {}",
+                                                           last, *keys.joint));
             }
             a.arc_length = 0.0;
             for (int i = 0; i < std::min(*keys.joint, last + 1); ++i) {
@@ -230,24 +225,9 @@ class Build {
         return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
     }
 
-    void unused() {
-        for (const LineTypeKeys& type : declared_.line_types) {
-            if (!used_types_.contains(type.name)) {
-                warning("line_types." + type.name, "no line uses this line type");
-            }
-        }
-        for (const Material& material : declared_.materials) {
-            const bool used =
-                std::any_of(declared_.line_types.begin(), declared_.line_types.end(),
-                            [&](const LineTypeKeys& t) { return t.material == material.name; });
-            if (!used) warning("materials." + material.name, "no line type uses this material");
-        }
-    }
-
     const DeclaredCase& declared_;
     Problems& problems_;
     Case value_;
-    std::set<std::string> used_types_;
 };
 
 }  // namespace

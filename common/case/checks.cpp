@@ -167,7 +167,7 @@ class Checks {
         }
         if (type.viscoelastic) {
             const double ratio = type.viscoelastic->EA_dynamic / type.viscoelastic->EA_static;
-            if (ratio < 1.2 || ratio > 3.0) {
+            if ((ratio > 1.0 && ratio < 1.2) || ratio > 3.0) {
                 warning(
                     path + ".viscoelastic",
                     fmt::format("EA_dynamic/EA_static = {:.2f}; polyester has 1.2 to 3", ratio));
@@ -220,7 +220,7 @@ class Checks {
             }
         }
         const double period = 2.0 * travel, D = case_.analysis.dynamics.platform_step;
-        if (held && period < D) {
+        if (line.end_a.kind == EndKind::platform && held && period < D) {
             warning(path, fmt::format("{}: first axial period {:.3g} s is below the platform step "
                                       "{:.3g} s; the coupling may go unstable",
                                       line.name, period, D));

@@ -231,7 +231,8 @@ class Completion {
     void analysis_and_output() {
         Dynamics& d = case_.analysis.dynamics;
         if (!given("analysis.dynamics.statistics_from")) {
-            d.statistics_from = std::max(d.ramp, std::min(600.0, d.duration / 2.0));
+            const double usual = std::max(d.ramp, std::min(600.0, d.duration / 2.0));
+            d.statistics_from = usual < d.duration ? usual : d.duration / 2.0;
         }
         Output& out = case_.output;
         if (!given("output.interval")) out.interval = d.platform_step;

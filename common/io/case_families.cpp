@@ -18,7 +18,7 @@ class Filling {
  public:
     Filling(Node& root, Problems& problems) : root_(root), problems_(problems) {}
 
-    void run() {
+    void run(bool overridden) {
         Names parameters = take_parameters();
         for (Entry& e : root_.entries) {
             if (e.key == "lines" && e.value.kind == Node::Kind::map) {
@@ -28,7 +28,7 @@ class Filling {
             }
         }
         for (const auto& [name, node] : parameters) {
-            if (used_.contains(name)) continue;
+            if (used_.contains(name) || overridden) continue;
             problems_.push_back(problem_at(node.place, "parameters." + name,
                                            "nothing uses this parameter", Severity::warning));
         }
@@ -262,6 +262,8 @@ class Filling {
 
 }  // namespace
 
-void fill_in(Node& root, Problems& problems) { Filling(root, problems).run(); }
+void fill_in(Node& root, bool overridden, Problems& problems) {
+    Filling(root, problems).run(overridden);
+}
 
 }  // namespace hawser::io

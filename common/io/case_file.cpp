@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "io/case_echo.hpp"
@@ -58,7 +59,10 @@ class FromYaml {
         const Place at = place(key.Mark());
         if (!key.IsScalar()) return error(at, "a key must be a word");
         const std::string& name = key.Scalar();
-        if (name == "<<") return error(at, "merge key \"<<\" is not supported; use \"like:\"");
+        if (name == "<<") {
+            map.partial = true;
+            return error(at, "merge key \"<<\" is not supported; use \"like:\"");
+        }
         for (const Entry& e : map.entries) {
             if (e.key != name) continue;
             return error(
@@ -113,6 +117,7 @@ class Loader {
             }
             if (documents.empty() || documents[0].IsNull()) {
                 problems_.push_back(problem_at({file, 1, 1}, "", "the file is empty"));
+                unreadable_ = true;
                 Node empty;
                 empty.kind = Node::Kind::map;
                 empty.place = {file, 1, 1};
@@ -179,6 +184,7 @@ class Loader {
         if (std::find(stack_.begin(), stack_.end(), fs::weakly_canonical(path)) != stack_.end()) {
             problems_.push_back(
                 problem_at(name.place, key, fmt::format("\"{}\" leads back to itself", name.text)));
+            unreadable_ = true;
             return;
         }
         const std::optional<std::string> text = text_of(path);
@@ -257,11 +263,36 @@ void hydro_files(const Case& value, Problems& problems) {
                         {}});
 }
 
+/// What the main file defines and nothing uses. Libraries that it includes may hold more.
+void unused(const DeclaredCase& declared, const Places& places, const std::string& file,
+            Problems& problems) {
+    std::set<std::string> types, materials;
+    for (const LineKeys& line : declared.lines) {
+        for (const SectionKeys& section : line.sections) types.insert(section.type);
+    }
+    const auto warn = [&](const std::string& path, const char* message) {
+        const auto place = places.find(path);
+        if (place == places.end() || place->second.file != file) return;
+        problems.push_back(problem_at(place->second, path, message, Severity::warning));
+    };
+    for (const LineTypeKeys& type : declared.line_types) {
+        if (type.material) materials.insert(*type.material);
+        if (!types.contains(type.name)) {
+            warn("line_types." + type.name, "no line uses this line type");
+        }
+    }
+    for (const Material& material : declared.materials) {
+        if (!materials.contains(material.name)) {
+            warn("materials." + material.name, "no line type uses this material");
+        }
+    }
+}
+
 /// From the merged tree to the Case, and to the resolved text.
 CaseFile finish(Node root, const std::string& name, const std::string& file, const fs::path& folder,
-                Problems problems) {
+                bool overridden, Problems problems) {
     carry_out_likes(root, problems);
-    fill_in(root, problems);
+    fill_in(root, overridden, problems);
     DeclaredCase declared;
     KeyReader reader(problems);
     reader.set_folder(folder);
@@ -270,7 +301,10 @@ CaseFile finish(Node root, const std::string& name, const std::string& file, con
     CaseFile result;
     result.value = build(declared, name, folder, problems);
     check(result.value, problems);
-    if (!file.empty()) hydro_files(result.value, problems);
+    if (!file.empty()) {
+        hydro_files(result.value, problems);
+        unused(declared, reader.places(), file, problems);
+    }
     locate(problems, reader.places(), file);
     tidy(problems);
     if (has_errors(problems)) throw InputError(std::move(problems));
@@ -320,7 +354,8 @@ CaseFile read_case(const fs::path& path, const Overrides& overrides) {
     }
     const std::string name = path.stem().string();
     const fs::path folder = path.parent_path();
-    CaseFile first = finish(std::move(root), name, path.string(), folder, std::move(problems));
+    CaseFile first = finish(std::move(root), name, path.string(), folder, !overrides.empty(),
+                            std::move(problems));
     // The case that runs is the one that every rank reads from the resolved text.
     CaseFile result = read_resolved_case(name, first.resolved, folder);
     result.notes = std::move(first.notes);
@@ -336,7 +371,7 @@ CaseFile read_resolved_case(const std::string& name, const std::string& text,
     Loader loader(problems, sources);
     Node root = loader.parse(text, "");
     if (loader.unreadable()) throw InputError(std::move(problems));
-    CaseFile result = finish(std::move(root), name, "", folder, std::move(problems));
+    CaseFile result = finish(std::move(root), name, "", folder, false, std::move(problems));
     result.resolved = text;
     return result;
 }

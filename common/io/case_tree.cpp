@@ -160,8 +160,10 @@ class Likes {
                 result = whole(like->text, chain);
             }
         }
+        const bool partial = like != nullptr && result.entries.empty();
         merge(result, own);
         result.place = own.place;
+        result.partial = partial || own.partial;
         result.remove("like");
         return result;
     }

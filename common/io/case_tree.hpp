@@ -25,6 +25,7 @@ struct Node {
     Place place;
     Units units = Units::SI;  ///< of the file it stands in
     std::string text;
+    bool partial = false;  ///< something in this map has been refused: what is missing is not said
     std::vector<Node> items;
     std::vector<Entry> entries;
 
@@ -55,7 +56,8 @@ void set_value(Node& root, const std::string& path, const Node& value, Problems&
 void carry_out_likes(Node& root, Problems& problems);
 
 /// Replaces ${name} and expands families into one entry per line. `parameters` is gone afterwards.
-void fill_in(Node& root, Problems& problems);
+/// A parameter that nothing uses is a warning, unless keys have been overridden.
+void fill_in(Node& root, bool overridden, Problems& problems);
 
 /// A problem at a node.
 Problem problem_at(const Place& place, const std::string& path, const std::string& message,

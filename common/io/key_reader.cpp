@@ -109,6 +109,9 @@ void KeyReader::children(const Key& key, const Node& node, void* object, const s
               fmt::format("expected a {}; got {}", list ? "list" : "map of names", found(node)));
         return;
     }
+    if (key.is_required && node.items.empty() && node.entries.empty()) {
+        error(node.place, path, "expected at least one element");
+    }
     for (std::size_t i = 0; i < node.items.size(); ++i) {
         read(table, node.items[i], key.open(object, {}), fmt::format("{}[{}]", path, i));
     }
@@ -120,6 +123,11 @@ void KeyReader::children(const Key& key, const Node& node, void* object, const s
 }
 
 void KeyReader::value(const Key& key, const Node& node, void* object, const std::string& path) {
+    if (node.kind == Node::Kind::scalar && node.text.find("${") != std::string::npos) {
+        failed_.insert(path);  // an unknown parameter, reported already
+        if (key.form == Form::number) key.set(object, NAN);
+        return;
+    }
     if (!key.word.empty() && node.kind == Node::Kind::scalar && node.text == key.word) return;
     Value v;
     switch (key.form) {
@@ -221,7 +229,8 @@ Value KeyReader::scalar(const Key& key, const Node& node, const std::string& pat
             }
             if (!in_range(key, static_cast<double>(n))) {
                 error(node.place, path,
-                      fmt::format("expected {}; got {}", range_of(key, dimension::number), n));
+                      fmt::format("expected a value {}; got {}", range_of(key, dimension::number),
+                                  n));
                 return {};
             }
             return n;
@@ -267,7 +276,7 @@ double KeyReader::number(const Key& key, const Dimension& dimension, const Node&
     }
     if (!in_range(key, *q.value)) {
         error(node.place, path,
-              fmt::format("expected {}; got \"{}\"", range_of(key, dimension), node.text));
+              fmt::format("expected a value {}; got \"{}\"", range_of(key, dimension), node.text));
         return NAN;
     }
     return *q.value;
@@ -313,9 +322,10 @@ std::vector<double> KeyReader::row(const Key& key, const Node& node, const std::
         const std::string count = key.fewest == key.most
                                       ? std::to_string(whole)
                                       : fmt::format("{} to {}", key.fewest, key.most);
-        const std::string got = node.kind == Node::Kind::list
-                                    ? fmt::format("{} numbers", node.items.size())
-                                    : found(node);
+        const std::string got =
+            node.kind == Node::Kind::list
+                ? fmt::format("{} number{}", node.items.size(), node.items.size() == 1 ? "" : "s")
+                : found(node);
         error(node.place, path, fmt::format("expected a list of {} numbers; got {}", count, got));
         return std::vector<double>(whole, NAN);
     }
@@ -367,7 +377,7 @@ std::vector<double> KeyReader::matrix(const Key& key, const Node& node, const st
 
 void KeyReader::missing(const Table& table, const Node& node, void* object,
                         const std::string& path) {
-    const bool silent = node.kind != Node::Kind::map;
+    const bool silent = node.kind != Node::Kind::map || node.partial;
     for (const Key& key : table.keys) {
         if (key.is_later || key.is_hidden || node.find(key.name) != nullptr) continue;
         if (key.is_required && !silent) {
@@ -375,7 +385,7 @@ void KeyReader::missing(const Table& table, const Node& node, void* object,
         }
         if (key.form == Form::map) {
             for (const Element& e : key.elements(object)) {
-                defaults(key.table(), const_cast<void*>(e.object), node.place);
+                defaults(key.table(), const_cast<void*>(e.object), node.place, key.is_required);
             }
         } else if (!key.fallback.empty()) {
             value(key, node_of(key.fallback, node.place), object, key.name);
@@ -385,16 +395,20 @@ void KeyReader::missing(const Table& table, const Node& node, void* object,
     }
 }
 
-/// Defaults of a sub-table that the file leaves out but the struct always has.
-void KeyReader::defaults(const Table& table, void* object, const Place& place) {
+/// Defaults of a sub-table that the file leaves out but the struct always has. If it should have
+/// been there, the numbers that it must hold become NaN.
+void KeyReader::defaults(const Table& table, void* object, const Place& place, bool required) {
     for (const Key& key : table.keys) {
         if (key.is_later || key.is_hidden) continue;
         if (key.form == Form::map) {
             for (const Element& e : key.elements(object)) {
-                defaults(key.table(), const_cast<void*>(e.object), place);
+                defaults(key.table(), const_cast<void*>(e.object), place,
+                         required && key.is_required);
             }
         } else if (!key.fallback.empty()) {
             value(key, node_of(key.fallback, place), object, key.name);
+        } else if (required && key.is_required && key.form == Form::number) {
+            key.set(object, NAN);
         }
     }
 }

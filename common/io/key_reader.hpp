@@ -32,7 +32,7 @@ class KeyReader {
     void value(const Key& key, const Node& node, void* object, const std::string& path);
     void children(const Key& key, const Node& node, void* object, const std::string& path);
     void missing(const Table& table, const Node& node, void* object, const std::string& path);
-    void defaults(const Table& table, void* object, const Place& place);
+    void defaults(const Table& table, void* object, const Place& place, bool required);
     void rules(const Table& table, const Node& node, const std::string& path);
     void conditions(const Table& table, const Node& node, void* object, const std::string& path);
     Value scalar(const Key& key, const Node& node, const std::string& path);

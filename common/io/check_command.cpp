@@ -1,0 +1,111 @@
+#include "io/check_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+#include "io/case_schema.hpp"
+#include "io/hydro_file.hpp"
+#include "io/json.hpp"
+
+namespace hawser::io {
+namespace {
+
+const char* name_of(Severity severity) {
+    if (severity == Severity::error) return "error";
+    return severity == Severity::warning ? "warning" : "note";
+}
+
+/// Problems as JSON, for editors and scripts.
+std::string json(const std::string& case_file, const Problems& problems) {
+    Json list = Json::array();
+    for (const Problem& p : problems) {
+        Json one = Json::object();
+        one.put("severity", name_of(p.severity)).put("file", p.file);
+        if (p.line > 0) one.put("line", p.line).put("column", p.column);
+        one.put("path", p.path).put("message", p.message);
+        list.add(std::move(one));
+    }
+    const auto number = [&](Severity s) {
+        return static_cast<int>(std::count_if(problems.begin(), problems.end(),
+                                              [s](const Problem& p) { return p.severity == s; }));
+    };
+    Json report = Json::object();
+    report.put("case", case_file)
+        .put("valid", !has_errors(problems))
+        .put("errors", number(Severity::error))
+        .put("warnings", number(Severity::warning))
+        .put("problems", std::move(list));
+    return report.text() + "\n";
+}
+
+}  // namespace
+
+CaseFile read_and_check(const std::filesystem::path& path, const Overrides& overrides) {
+    CaseFile file = read_case(path, overrides);
+    const std::optional<Platform>& platform = file.value.platform;
+    if (!platform || !platform->hydrodynamics.database) return file;
+    try {
+        const HydroData data =
+            read_hydro(*platform->hydrodynamics.database, file.value.environment.water);
+        for (const std::string& note : data.notes) {
+            file.problems.push_back({Severity::note, "", note, {}});
+            file.notes.push_back(format(file.problems.back()));
+        }
+    } catch (const HydroFileError& error) {
+        for (const FileProblem& p : error.problems()) {
+            Problem problem{Severity::error, "", p.message, p.file};
+            problem.line = p.line;
+            problem.column = p.line > 0 ? 1 : 0;
+            file.problems.push_back(std::move(problem));
+        }
+        tidy(file.problems);
+        throw InputError(std::move(file.problems));
+    }
+    return file;
+}
+
+int check_command(const CommandLine& line) {
+    try {
+        const CaseFile file = read_and_check(line.case_file, line.overrides);
+        if (line.json) {
+            std::fputs(json(line.case_file.string(), file.problems).c_str(), stdout);
+        } else if (line.echo) {
+            std::fputs(file.resolved.c_str(), stdout);
+        } else {
+            for (const std::string& note : file.notes) fmt::print("{}\n", note);
+            fmt::print("{}: valid. {}\n", line.case_file.string(), count(file.problems));
+        }
+        return static_cast<int>(ExitCode::done);
+    } catch (const InputError& error) {
+        if (line.json) {
+            std::fputs(json(line.case_file.string(), error.problems()).c_str(), stdout);
+        } else {
+            fmt::print(stderr, "{}\n", error.what());
+        }
+        return static_cast<int>(error.code());
+    } catch (const RunError& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return static_cast<int>(error.code());
+    }
+}
+
+int schema_command(const CommandLine& line) {
+    const std::string text = line.reference ? reference_case() : case_schema();
+    if (line.output_file.empty()) {
+        std::fputs(text.c_str(), stdout);
+        return static_cast<int>(ExitCode::done);
+    }
+    std::ofstream file(line.output_file, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) {
+        fmt::print(stderr, "cannot write {}\n", line.output_file.string());
+        return static_cast<int>(ExitCode::io);
+    }
+    return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace hawser::io

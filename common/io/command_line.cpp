@@ -1,0 +1,151 @@
+#include "io/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <sstream>
+
+namespace hawser::io {
+namespace {
+
+constexpr const char* exit_codes =
+    "Exit codes: 0 done; 2 wrong command line; 3 input not valid; 4 no static equilibrium;\n"
+    "5 simulation diverged; 6 input or output failure; 7 stopped early; 1 anything else (a bug).";
+
+/// What the options are read into before it is known that all is well.
+struct Options {
+    std::string case_file, out, output_file, duration, seed;
+    std::vector<std::string> sets;
+};
+
+void add_case(CLI::App& command, Options& options) {
+    command.add_option("case", options.case_file, "Case file (YAML)")
+        ->required()
+        ->type_name("FILE");
+    command
+        .add_option("--set", options.sets,
+                    "Change one key, repeatable: --set environment.waves[0].Hs=\"12 m\"")
+        ->type_name("PATH=VALUE")
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_run(CLI::App& app, Options& options, CommandLine& line) {
+    CLI::App& run = *app.add_subcommand(
+        "run",
+        "Simulate a case. Alone, one process does everything; under mpirun rank 0 is the platform "
+        "and the other ranks are the lines. Stop it with Ctrl-C, or with a file named STOP in its "
+        "folder.");
+    add_case(run, options);
+    run.add_option("--out", options.out, "Folder of the run (default: runs/<name of the case>)")
+        ->type_name("DIR");
+    run.add_flag("--force", line.force,
+                 "Replace an earlier result in that folder; only files of a run are deleted");
+    run.add_option("--duration", options.duration,
+                   "Simulated time, e.g. \"600 s\": sets analysis.dynamics.duration")
+        ->type_name("TIME");
+    run.add_option("--seed", options.seed, "Seed of the waves: sets environment.waves[0].seed")
+        ->type_name("N");
+    run.add_flag(
+        "--dry-run", line.dry_run,
+        "Say which rank would do what, and how much memory and disk it takes; run nothing");
+    static const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automatic},
+                                                             {"bar", ProgressStyle::bar},
+                                                             {"lines", ProgressStyle::lines},
+                                                             {"none", ProgressStyle::none}};
+    run.add_option("--progress", line.progress,
+                   "auto: a bar alone, lines under mpirun (default); bar; lines; none")
+        ->type_name("STYLE")
+        ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case).description(""));
+    run.add_flag("-q,--quiet", line.quiet, "Only errors, no progress and no summary");
+    run.callback([&line] { line.command = CommandLine::Command::run; });
+    run.footer(exit_codes);
+}
+
+void add_others(CLI::App& app, Options& options, CommandLine& line) {
+    CLI::App& check = *app.add_subcommand(
+        "check",
+        "Check a case without running it: every key, unit and name, geometry, data files and "
+        "physical sense. All problems in one go, each with file, line and column.");
+    add_case(check, options);
+    check.add_flag("--echo", line.echo,
+                   "Print the resolved case: one file with every default filled in");
+    check.add_flag("--json", line.json, "Print the problems as JSON");
+    check.callback([&line] { line.command = CommandLine::Command::check; });
+    check.footer("Exit codes: 0 valid; 3 not valid; 2 wrong command line; 6 no such file.");
+
+    CLI::App& schema = *app.add_subcommand(
+        "schema", "Print the JSON Schema of case files, for editors that complete and check keys.");
+    schema.add_flag("--reference", line.reference,
+                    "Print the reference case instead: every key with its meaning and default");
+    schema.add_option("-o,--output", options.output_file, "Write to this file")->type_name("FILE");
+    schema.callback([&line] { line.command = CommandLine::Command::schema; });
+
+    CLI::App& version = *app.add_subcommand("version", "Print program, build and libraries.");
+    version.callback([&line] { line.command = CommandLine::Command::version; });
+}
+
+/// "path=value", cut at the first "=".
+bool add_override(const std::string& text, CommandLine& line) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) return false;
+    line.overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+    return true;
+}
+
+std::string whole_text(int argc, const char* const* argv) {
+    std::string text = "hawser";
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        const bool quote = word.empty() || word.find_first_of(" \"'*[]${}") != std::string::npos;
+        text += quote ? fmt::format(" '{}'", word) : " " + word;
+    }
+    return text;
+}
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, const char* const* argv) {
+    CommandLine line;
+    Options options;
+    line.text = whole_text(argc, argv);
+    CLI::App app{
+        "Hawser: coupled time-domain simulation of a moored floating platform with its mooring "
+        "lines and risers.",
+        "hawser"};
+    app.require_subcommand(1);
+    app.footer(std::string("hawser COMMAND --help tells the options of each.\n") + exit_codes);
+    add_run(app, options, line);
+    add_others(app, options, line);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        std::ostringstream out, err;
+        const int code = app.exit(error, out, err);
+        line.finished = code == 0 ? ExitCode::done : ExitCode::command_line;
+        line.message = code == 0 ? out.str() : err.str();
+        return line;
+    }
+    line.case_file = options.case_file;
+    line.out = options.out;
+    line.output_file = options.output_file;
+    for (const std::string& set : options.sets) {
+        if (add_override(set, line)) continue;
+        line.finished = ExitCode::command_line;
+        line.message = fmt::format(
+            "--set {}: expected path=value, e.g. --set "
+            "environment.waves[0].Hs=\"12 m\"\n",
+            set);
+        return line;
+    }
+    if (!options.duration.empty()) {
+        line.overrides.emplace_back("analysis.dynamics.duration", options.duration);
+    }
+    if (!options.seed.empty())
+        line.overrides.emplace_back("environment.waves[0].seed", options.seed);
+    return line;
+}
+
+}  // namespace hawser::io

@@ -10,7 +10,8 @@ namespace hawser {
 namespace worker {
 
 LocalLines::LocalLines(const Case& input, const std::vector<int>& packs, io::SeriesWriter* results)
-    : sea_(input.environment, input.analysis.dynamics.ramp, input.analysis.dynamics.depth_filter) {
+    : sea_(input.environment, input.analysis.dynamics.ramp, input.analysis.dynamics.depth_filter,
+           !input.analysis.statics.current) {
     const std::vector<Pack> all = packs_of(input);
     std::vector<int> lines;
     for (const int p : packs) {

@@ -6,7 +6,8 @@
 
 namespace hawser {
 
-Sea::Sea(const Environment& environment, double ramp, double depth_filter) : ramp_(ramp) {
+Sea::Sea(const Environment& environment, double ramp, double depth_filter, bool ramp_current)
+    : ramp_(ramp), ramp_current_(ramp_current) {
     std::vector<WaveComponent> components;
     for (const WaveTrain& train : environment.waves) {
         const std::vector<WaveComponent> more =
@@ -27,14 +28,16 @@ Sea::Sea(const Environment& environment, double ramp, double depth_filter) : ram
 
 void Sea::sample(double t, int n, const double* x, const double* y, const double* z,
                  const WaterKinematics& out) const {
+    const double ramp = ramp_factor(t, ramp_);
+    const double current = ramp_current_ ? ramp : 1.0;
     if (!has_waves()) {
         sample_current(n, x, y, z, out);
+        for (int i = 0; i < n; ++i) out.ux[i] *= current, out.uy[i] *= current;
         return;
     }
-    const double ramp = ramp_factor(t, ramp_);
     for (int i = 0; i < n; ++i) {
         const WaveSample wave = waves_.sample(t, ramp, x[i], y[i], z[i]);
-        const Vec3 steady = current_.velocity(z[i]);
+        const Vec3 steady = current * current_.velocity(z[i]);
         out.ux[i] = wave.ux + steady.x();
         out.uy[i] = wave.uy + steady.y();
         out.uz[i] = wave.uz;

@@ -37,10 +37,12 @@ class Sea {
  public:
     /// @param ramp          length of the ramp of the waves [s]
     /// @param depth_filter  wavelengths down to which a component is seen; 0: all the way
-    Sea(const Environment& environment, double ramp, double depth_filter);
+    /// @param ramp_current  for a current that the static start leaves out: it is ramped like waves
+    Sea(const Environment& environment, double ramp, double depth_filter,
+        bool ramp_current = false);
 
-    /// Water at n points x, y, z [m] at time t [s]: waves times ramp_factor(t), current in full. A
-    /// point's bits do not depend on the other points of the block.
+    /// Water at n points x, y, z [m] at time t [s]: waves times ramp_factor(t), current in full (or
+    /// ramped). A point's bits do not depend on the other points of the block.
     void sample(double t, int n, const double* x, const double* y, const double* z,
                 const WaterKinematics& out) const;
     /// Current alone, for statics: acceleration and eta are zero.
@@ -63,6 +65,7 @@ class Sea {
 
  private:
     double ramp_;
+    bool ramp_current_;
     double peak_frequency_ = 0.0;
     WaveField waves_;
     CurrentProfile current_;

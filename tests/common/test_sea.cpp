@@ -179,5 +179,21 @@ TEST(Ramp, IsSmoothToTheSecondDerivative) {
     EXPECT_EQ(ramp_factor(0.0, 0.0), 1.0);
 }
 
+TEST(Sea, RampsTheCurrentThatTheStaticStartLeavesOut) {
+    Environment environment;
+    environment.seabed.depth = 100.0;
+    environment.current = Current{.heading = 0.0, .profile = {{.depth = 0.0, .speed = 1.5}}};
+    const Sea full(environment, 10.0, 0.0), ramped(environment, 10.0, 0.0, true);
+    const double x = 0.0, z = -5.0;
+    double u[7];
+    const WaterKinematics out{&u[0], &u[1], &u[2], &u[3], &u[4], &u[5], &u[6]};
+    full.sample(5.0, 1, &x, &x, &z, out);
+    EXPECT_DOUBLE_EQ(u[0], 1.5);
+    ramped.sample(5.0, 1, &x, &x, &z, out);
+    EXPECT_DOUBLE_EQ(u[0], 0.75);  // half way through the ramp
+    ramped.sample(10.0, 1, &x, &x, &z, out);
+    EXPECT_DOUBLE_EQ(u[0], 1.5);
+}
+
 }  // namespace
 }  // namespace hawser

@@ -196,7 +196,6 @@ class RodPack {
     std::vector<V> lambda_correction_;
     ElementSystem<V> element_;
     EndValues<V> end_a_, end_b_;
-    V static_correction_{};
     Vector<V> reaction_a_, reaction_b_, moment_a_, moment_b_;
     V last_D_[7][7];  ///< node at end A before its elimination, for the static stiffness
     V last_R_[7];

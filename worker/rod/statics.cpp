@@ -109,7 +109,6 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wa
         head.force_b = select(iterating, reaction_b_, head.force_b);
         head.moment_a = select(iterating, moment_a_, head.moment_a);
         head.moment_b = select(iterating, moment_b_, head.moment_b);
-        static_correction_ = select(iterating, correction, static_correction_);
         const Mask sound = iterating & (finite <= V(0.0));
         polish = select(sound & (correction <= V(static_tolerance)), polish + V(1.0), V(0.0));
         const Mask done = sound & (polish >= V(3.0));

@@ -11,7 +11,7 @@ std::vector<std::vector<int>> packs_of_ranks(const Case& input, int ranks) {
     std::vector<std::vector<int>> shares(static_cast<std::size_t>(ranks));
     const std::vector<int> worker = assign(packs_of(input), ranks - 1);
     for (std::size_t pack = 0; pack < worker.size(); ++pack)
-        shares[static_cast<std::size_t>(worker[pack] + 1)].push_back(static_cast<int>(pack));
+        shares[static_cast<std::size_t>(worker[pack]) + 1].push_back(static_cast<int>(pack));
     return shares;
 }
 

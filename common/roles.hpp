@@ -48,7 +48,7 @@ std::string dry_run(const Case& input, int ranks);
 /// `snapshot` the lines put() their columns for the time that the caller has added; add_time() and
 /// write_segment() are the caller's, because the platform records into the same file.
 /// @param results null: nothing is recorded
-std::unique_ptr<Lines> make_local_lines(const Case& input, std::vector<int> packs,
+std::unique_ptr<Lines> make_local_lines(const Case& input, const std::vector<int>& packs,
                                         io::SeriesWriter* results);
 
 }  // namespace hawser

@@ -89,7 +89,7 @@ class Simulation {
             if (input_.lines.empty()) return std::make_unique<NoLines>();
             std::vector<int> all(packs_of(input_).size());
             for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-            return make_local_lines(input_, std::move(all), &results_);
+            return make_local_lines(input_, all, &results_);
         }
         auto remote = std::make_unique<RemoteLines>(link_, lines_of_ranks(input_, link_.size()));
         remote_ = remote.get();

@@ -64,7 +64,7 @@ void LocalLines::take_status(const Status& status) {
 
 }  // namespace worker
 
-std::unique_ptr<Lines> make_local_lines(const Case& input, std::vector<int> packs,
+std::unique_ptr<Lines> make_local_lines(const Case& input, const std::vector<int>& packs,
                                         io::SeriesWriter* results) {
     return std::make_unique<worker::LocalLines>(input, packs, results);
 }

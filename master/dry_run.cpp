@@ -83,9 +83,10 @@ std::string dry_run(const Case& input, int ranks) {
             for (const int pack : packs_of_rank[rank])
                 cost += packs[static_cast<std::size_t>(pack)].cost;
             if (cost > most) most = cost, busiest = packs_of_rank[rank];
-            text += fmt::format("  rank {}: {:5.1f} % of the work, {} packs: {}\n", rank,
-                                total > 0.0 ? 100.0 * cost / total : 0.0,
-                                packs_of_rank[rank].size(), names_of(input, lines_of_rank[rank]));
+            text += fmt::format(
+                "  rank {}: {:5.1f} % of the work, {} pack{}: {}\n", rank,
+                total > 0.0 ? 100.0 * cost / total : 0.0, packs_of_rank[rank].size(),
+                packs_of_rank[rank].size() == 1 ? "" : "s", names_of(input, lines_of_rank[rank]));
         }
         if (most > 0.0)
             text += fmt::format("  speed-up over one worker at most {:.2f}\n", total / most);

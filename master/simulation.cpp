@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "clocks.hpp"
+#include "complain.hpp"
 #include "equilibrium.hpp"
 #include "failure_message.hpp"
 #include "io/hydro_file.hpp"
@@ -200,7 +201,7 @@ class Simulation {
         } catch (const RunError& error) {
             failing(error);
         }
-        if (code != ExitCode::done) std::fprintf(stderr, "error: %s\n", message.c_str());
+        if (code != ExitCode::done) complain(message);
         if (code == ExitCode::io) try {
                 report(state, code, message);
             } catch (const RunError&) {  // the folder cannot be written at all; that has been said
@@ -285,7 +286,7 @@ ExitCode attempt(const io::Link& link, Work&& work) {
     try {
         work();
     } catch (const RunError& error) {
-        std::fprintf(stderr, "error: %s\n", error.what());
+        complain(error.what());
         code = error.code();
     }
     return io::agree(link, code);

@@ -1,8 +1,8 @@
 // A worker's part of a run, beside run_master: the two go through the same agreements in step.
-#include <cstdio>
 #include <memory>
 #include <optional>
 
+#include "complain.hpp"
 #include "io/link.hpp"
 #include "io/rank_times.hpp"
 #include "io/result_fields.hpp"
@@ -25,7 +25,7 @@ ExitCode run_worker(const Case& input, const RunRequest& request, io::Link& link
         const auto packs = packs_of_ranks(input, link.size());
         lines = make_local_lines(input, packs[static_cast<std::size_t>(link.rank())], &*results);
     } catch (const RunError& error) {
-        std::fprintf(stderr, "error: rank %d: %s\n", link.rank(), error.what());
+        complain(error.what());
         code = error.code();
     }
     if (code = io::agree(link, code); code != ExitCode::done) return code;

@@ -1,0 +1,141 @@
+// The program: what the command line asks for, who this process is, and the one place where an
+// exception becomes a message and an exit code.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "complain.hpp"
+#include "io/case_file.hpp"
+#include "io/check_command.hpp"
+#include "io/command_line.hpp"
+#include "io/hdf5.hpp"
+#include "io/link.hpp"
+#include "io/run_folder.hpp"
+#include "roles.hpp"
+#include "stop_signal.hpp"
+
+namespace hawser {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string version_text() {
+    return fmt::format("hawser {}\nbuild {}\n{}\nHDF5 {}\nEigen {}.{}.{}\n", HAWSER_VERSION,
+                       HAWSER_BUILD, io::mpi_version(), io::hdf5_version(), EIGEN_WORLD_VERSION,
+                       EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+}
+
+/// Rank 0 reads and checks; its text of the case and what else all must know goes to every rank,
+/// and every rank makes its Case of that same text with the same reader.
+class SharedCase {
+ public:
+    /// Rank 0 only. Throws InputError, RunError.
+    void read(const io::CommandLine& line) {
+        io::CaseFile file = io::read_and_check(line.case_file, line.overrides);
+        name_ = file.value.name;
+        data_folder_ = fs::absolute(line.case_file).parent_path().string();
+        request.folder = fs::absolute(line.out.empty() ? io::default_run_folder(name_) : line.out);
+        request.resolved = std::move(file.resolved);
+        request.sources = std::move(file.sources);
+        request.notes = std::move(file.notes);
+        if (!line.quiet)
+            for (const std::string& note : request.notes)
+                std::fprintf(stderr, "%s\n", note.c_str());
+    }
+
+    void broadcast(const io::Link& link) {
+        std::string folder = request.folder.string();
+        for (std::string* text : {&name_, &data_folder_, &folder, &request.resolved})
+            link.broadcast(*text);
+        request.folder = folder;
+    }
+
+    [[nodiscard]] Case value() const {
+        return io::read_resolved_case(name_, request.resolved, data_folder_).value;
+    }
+
+    RunRequest request;
+
+ private:
+    std::string name_, data_folder_;
+};
+
+ExitCode run(const io::CommandLine& line, io::Link& link) {
+    SharedCase shared;
+    shared.request.force = line.force;
+    shared.request.command = line.text;
+    shared.request.version = HAWSER_VERSION;
+    shared.request.build = HAWSER_BUILD;
+    shared.request.progress = line.progress;
+    shared.request.quiet = line.quiet;
+    int code = 0;
+    if (link.rank() == 0) try {
+            shared.read(line);
+        } catch (const RunError& error) {  // agreed on, so that nobody waits for a case
+            complain(error.what());
+            code = static_cast<int>(error.code());
+        }
+    link.broadcast(code);
+    if (code != 0) return static_cast<ExitCode>(code);
+    shared.broadcast(link);
+    const Case input = shared.value();
+    watch_stop_signals();
+    return link.rank() == 0 ? run_master(input, shared.request, link)
+                            : run_worker(input, shared.request, link);
+}
+
+}  // namespace
+}  // namespace hawser
+
+int main(int argc, char** argv) {
+    using namespace hawser;
+    const io::Launch launch = io::launch();
+    const bool speaks = launch.rank == 0;
+    std::optional<io::MpiRuntime> mpi;
+    std::optional<io::Link> link;
+    ExitCode code = ExitCode::bug;
+    std::string message;
+    try {
+        using Command = io::CommandLine::Command;
+        const io::CommandLine line = io::parse_command_line(argc, argv);
+        if (line.finished) {
+            const bool good = *line.finished == ExitCode::done;
+            if (speaks) std::fputs(line.message.c_str(), good ? stdout : stderr);
+            return static_cast<int>(*line.finished);
+        }
+        if (!speaks && (line.command != Command::run || line.dry_run)) return 0;
+        switch (line.command) {
+            case Command::check:
+                return io::check_command(line);
+            case Command::schema:
+                return io::schema_command(line);
+            case Command::none:
+            case Command::version:
+                std::fputs(version_text().c_str(), stdout);
+                return 0;
+            case Command::run:
+                if (line.dry_run) {
+                    const Case input = io::read_and_check(line.case_file, line.overrides).value;
+                    std::fputs(dry_run(input, launch.size).c_str(), stdout);
+                    return 0;
+                }
+                if (!launch.alone()) mpi.emplace(&argc, &argv);
+                link.emplace(mpi ? mpi->link() : io::Link());
+                code = run(line, *link);
+                link.reset();
+                return static_cast<int>(code);
+        }
+    } catch (const RunError& error) {
+        code = error.code();
+        message = error.what();
+    } catch (const std::exception& error) {
+        message = fmt::format("unexpected: {}; this is a bug of hawser", error.what());
+    }
+    // Under MPI the others do not know of it: they are ended.
+    if (link && !link->alone()) link->fail(code, message);
+    complain(message);
+    return static_cast<int>(code);
+}

@@ -66,6 +66,8 @@ class RodPack {
     /// to end A.
     void set_guess(int lane, const std::vector<CatenaryNode>& nodes);
     /// One pass from the kept state at t0 to t1 along the spline; the result is the working state.
+    /// A line that fails stays where it failed, the others finish; the first failed line, in line
+    /// order, is told.
     Status pass(double t0, double t1, const MotionSpline& platform);
     /// The pass that ended last becomes the kept state.
     void keep();

@@ -140,6 +140,11 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
         accepted = accepted | converged;
         iterating = sound & !converged;
     }
+    // Where the guard of R:6 holds the tension back (twice the length) nothing has been solved.
+    V guarded(0.0);
+    for (std::size_t e = 0; e < properties_.size(); ++e)
+        guarded = max(guarded, material_[e].s * max(lambda_[2 * e], lambda_[2 * e + 1]));
+    accepted = accepted & (guarded < V(0.5));
     head.force_a = select(accepted, force_a, head.force_a);
     head.force_b = select(accepted, force_b, head.force_b);
     head.moment_a = select(accepted, moment_a, head.moment_a);
@@ -188,6 +193,7 @@ Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
         fitted_[static_cast<std::size_t>(i)].setZero();
         add_to_fit(i, 0, clock[static_cast<std::size_t>(i)].coarse, platform);
     }
+    Status failed;
     while (any(active)) {
         for (int i = 0; i < lanes; ++i) {
             const Clock& c = clock[static_cast<std::size_t>(i)];
@@ -213,7 +219,10 @@ Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
             if (++c.halvings > newton.max_halvings) {
                 Mask bad = T::none();
                 T::set(bad, i, true);
-                return status_of(bad, Status::Code::not_converged, T::get(t_new, i));
+                if (failed.ok() || lines_[static_cast<std::size_t>(i)] < failed.line)
+                    failed = status_of(bad, Status::Code::not_converged, T::get(t_new, i));
+                T::set(active, i, false);  // frozen; its neighbours go on
+                continue;
             }
             c.base += c.done * c.h;
             c.steps = 2 * (c.steps - c.done);
@@ -228,7 +237,7 @@ Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
             }
         }
     }
-    return {};
+    return failed;
 }
 
 template <class V>

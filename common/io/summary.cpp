@@ -21,11 +21,11 @@ std::string cell(double x, int width, int decimals) {
     return fmt::format("{:>{}.{}f}", x, width, decimals);
 }
 
-/// A single figure with six digits, written out up to ten millions.
+/// A single figure with four digits, whole numbers written out up to ten millions.
 std::string figure(double x) {
     const double size = std::abs(x);
-    if (size >= 1e4 && size < 1e7) return fmt::format("{:.0f}", x);
-    return fmt::format("{:.6g}", x);
+    if (size >= 1e3 && size < 1e7) return fmt::format("{:.0f}", x);
+    return fmt::format("{:.4g}", x);
 }
 
 std::string heading(std::string_view text) {
@@ -82,10 +82,9 @@ std::string platform_text(const RunRecord& record) {
     if (record.statics && record.statics->platform) {
         const Vec3 x = record.statics->platform->position;
         const Vec3 q = degrees * record.statics->platform->angles;
-        out += fmt::format(
-            "equilibrium under the mean loads: surge {:.2f}, sway {:.2f}, heave {:.2f} m, roll "
-            "{:.2f}, pitch {:.2f}, yaw {:.2f} deg\n",
-            x[0] + 0.0, x[1] + 0.0, x[2] + 0.0, q[0] + 0.0, q[1] + 0.0, q[2] + 0.0);
+        out += "equilibrium under the mean loads: surge" + cell(x[0], 7, 2) + ", sway" +
+               cell(x[1], 6, 2) + ", heave" + cell(x[2], 6, 2) + " m, roll" + cell(q[0], 6, 2) +
+               ", pitch" + cell(q[1], 6, 2) + ", yaw" + cell(q[2], 6, 2) + " deg\n";
     }
     return out;
 }
@@ -181,7 +180,7 @@ std::string performance_text(const RunRecord& record) {
     const std::size_t width = widest(0, names);
     for (const Fact& fact : record.performance) {
         out += fmt::format("{:<{}}  {:>12} {}\n", fact.description, width, figure(fact.value),
-                           fact.units);
+                           fact.units == "1" ? "" : fact.units);
     }
     return out;
 }

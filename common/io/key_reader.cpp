@@ -306,9 +306,11 @@ std::string KeyReader::relative(const Node& node) const {
     if (path.is_absolute() || node.place.file.empty()) return path.lexically_normal().string();
     const std::filesystem::path from = std::filesystem::path(node.place.file).parent_path();
     if (from == folder_) return path.lexically_normal().string();
-    return (from / path)
+    // From the current folder, for a path given with --set.
+    const std::filesystem::path here = std::filesystem::current_path();
+    return (here / from / path)
         .lexically_normal()
-        .lexically_relative(folder_.empty() ? "." : folder_)
+        .lexically_relative((here / folder_).lexically_normal())
         .string();
 }
 

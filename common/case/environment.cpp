@@ -57,6 +57,7 @@ const Table& wave_keys() {
                      {"jonswap", WaveType::jonswap},
                      {"pierson_moskowitz", WaveType::pierson_moskowitz}},
                  "Kind of wave: one regular wave (airy) or a spectrum")
+            .eg("jonswap")
             .later_words({"ochi_hubble", "torsethaugen", "white_noise", "spectrum_file",
                           "elevation_file", "components"})
             .required();
@@ -179,6 +180,7 @@ const Table& wind_keys() {
                  std::vector<std::pair<std::string, WindSpectrum>>{
                      {"constant", WindSpectrum::constant}, {"npd", WindSpectrum::npd}},
                  "Steady wind, or gusts by the NPD spectrum of ISO 19901-1")
+            .eg("npd")
             .later_words({"api", "kaimal", "time_history"})
             .required();
         k.number("speed", &Wind::speed, dimension::speed,

@@ -102,15 +102,29 @@ class Reference {
         return false;
     }
 
+    /// Does the condition of a key hold for the other key's value in the reference?
+    static bool applies(const Table& table, const Key& key) {
+        if (key.condition_key.empty()) return true;
+        const auto& words = key.condition_words;
+        const std::string value = plain_value(*table.find(key.condition_key));
+        return std::find(words.begin(), words.end(), value) != words.end();
+    }
+
+    static std::string plain_value(const Key& key) {
+        if (!key.example_text.empty()) return key.example_text;
+        if (!key.fallback.empty()) return key.fallback;
+        return key.choices.empty() ? std::string() : key.choices.front();
+    }
+
     std::string entry(const Table& table, const Key& key, int indent, bool commented) {
-        const bool optional = instead(table, key) || key.is_hidden || key.is_needed ||
-                              (key.table == nullptr && key.fallback.empty() && !key.is_required);
+        const bool optional =
+            instead(table, key) || key.is_hidden || !applies(table, key) ||
+            (key.table == nullptr && key.fallback.empty() && !key.is_required && !key.is_needed);
         const bool off = commented || optional;
         std::string text = comment(key, indent);
         const std::string start = fmt::format("{:{}}{}", "", indent, off ? "# " : "");
         if (key.table == nullptr) {
-            std::string value = key.example_text.empty() ? key.fallback : key.example_text;
-            if (value.empty() && !key.choices.empty()) value = key.choices.front();
+            std::string value = plain_value(key);
             if (value.empty() && key.form == Form::text) value = "\"\"";
             if (value.empty() && key.form == Form::words) value = "[file.yml]";
             if (value.empty() && key.form == Form::entries) value = "[{name: line1}]";
@@ -125,7 +139,6 @@ class Reference {
             return text +
                    fmt::format("{}{}: {}\n", start, key.name, quote ? "\"" + value + "\"" : value);
         }
-        text += fmt::format("{}{}:\n", start, key.name);
         std::string inner;
         if (key.form == Form::map) {
             inner = this->table(key.table(), indent + 2, off);
@@ -136,7 +149,16 @@ class Reference {
             inner = fmt::format("{:{}}{}{}:\n", "", indent + 2, off ? "# " : "", "name") +
                     this->table(key.table(), indent + 4, off);
         }
-        return text + inner;
+        const bool empty = !off && key.form == Form::map && all_comments(inner);
+        return text + fmt::format("{}{}{}:\n", start, empty ? "# " : "", key.name) + inner;
+    }
+
+    static bool all_comments(const std::string& text) {
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) {
+            if (line[line.find_first_not_of(' ')] != '#') return false;
+        }
+        return true;
     }
 
     static std::string zeros(std::size_t n) {

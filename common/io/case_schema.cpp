@@ -80,13 +80,31 @@ class Schema {
                 ways.push_back(pattern(fmt::format("{} ?{}", number, unit_pattern)));
             } else {
                 ways.push_back(Json::object().put("type", "number"));
-                ways.push_back(pattern(
-                    d.unit.empty() ? number : fmt::format("{}( ?{})?", number, unit_pattern)));
+                ways.push_back(
+                    pattern(d.unit.empty() ? number : fmt::format("{}( ?{})?", number, units(d))));
             }
             ways.push_back(reference("parameter"));
             definitions_.emplace(name, any_of(std::move(ways)));
         }
         return reference(name);
+    }
+
+    /// Units of a dimension that has names of its own; else any compound.
+    static std::string units(const Dimension& d) {
+        std::string names;
+        for (const char* word :
+             {"m",   "mm",  "cm",   "km", "ft",       "in",  "nmi",  "s",    "ms",   "min", "h",
+              "kg",  "t",   "te",   "lb", "kip_mass", "N",   "kN",   "MN",   "tf",   "lbf", "kip",
+              "deg", "rad", "knot", "kn", "Hz",       "m/s", "ft/s", "km/h", "rad/s"}) {
+            if (parse_unit(word)->exponents != d.exponents) continue;
+            if (!names.empty()) names += "|";
+            names += word;
+        }
+        const bool by_name = d == dimension::length || d == dimension::time ||
+                             d == dimension::mass || d == dimension::force ||
+                             d == dimension::angle || d == dimension::speed ||
+                             d == dimension::frequency;
+        return by_name ? fmt::format("({})", names) : unit_pattern;
     }
 
     Json limited(const Key& key, Json schema) {
@@ -167,7 +185,7 @@ class Schema {
                     {Json::object().put("enum", std::move(both)), reference("parameter")});
             }
             case Form::choice: {
-                if (key.name == "format") return Json::object().put("const", 1);
+                if (key.choices.front() == "1") return Json::object().put("const", 1);
                 return any_of(
                     {Json::object().put("enum", names(key.choices)), reference("parameter")});
             }

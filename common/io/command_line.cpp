@@ -126,6 +126,11 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
         const int code = app.exit(error, out, err);
         line.finished = code == 0 ? ExitCode::done : ExitCode::command_line;
         line.message = code == 0 ? out.str() : err.str();
+        const std::string first = argc > 1 ? argv[1] : "";
+        if (code != 0 && !first.empty() && first[0] != '-' && app.get_subcommands().empty()) {
+            line.message = fmt::format(
+                "unknown command \"{}\"; the commands are run, check, schema, version\n", first);
+        }
         return line;
     }
     line.case_file = options.case_file;

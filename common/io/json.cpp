@@ -58,15 +58,15 @@ std::string Json::text(int indent) const {
     const char* close = array ? "]" : "}";
     const bool flat = std::all_of(members_.begin(), members_.end(),
                                   [](const auto& m) { return m.second.kind_ == Kind::plain; });
-    std::string line = open;
-    for (const auto& [key, value] : members_) {
-        if (line.size() > 1) line += ", ";
-        if (!array) line += json_text(key) + ": ";
-        line += value.text();
-    }
-    line += close;
-    if (members_.empty() || (flat && line.size() + static_cast<std::size_t>(indent) < 96)) {
-        return line;
+    if (flat) {
+        std::string line = open;
+        for (const auto& [key, value] : members_) {
+            if (line.size() > 1) line += ", ";
+            if (!array) line += json_text(key) + ": ";
+            line += value.text();
+        }
+        line += close;
+        if (line.size() + static_cast<std::size_t>(indent) < 96) return line;
     }
     std::string text = open;
     const char* separator = "\n";

@@ -38,7 +38,7 @@ std::string range_of(const Key& key, const Dimension& d) {
                            show(*key.upper));
     }
     if (key.lower) {
-        return fmt::format("{} {}", key.lower_open ? "more than" : "at least", show(*key.lower));
+        return fmt::format("{} {}", key.lower_open ? "above" : "at least", show(*key.lower));
     }
     return "at most " + show(*key.upper);
 }

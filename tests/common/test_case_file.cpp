@@ -1,0 +1,267 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "io/case_file.hpp"
+
+namespace hawser::io {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path source = HAWSER_SOURCE_DIR;
+const fs::path spar = source / "cases/truss_spar/truss_spar.yml";
+
+const LineType& type(const Case& c, const std::string& name) {
+    for (const LineType& t : c.line_types) {
+        if (t.name == name) return t;
+    }
+    throw std::runtime_error("no line type " + name);
+}
+
+const Line& line(const Case& c, const std::string& name) {
+    for (const Line& l : c.lines) {
+        if (l.name == name) return l;
+    }
+    throw std::runtime_error("no line " + name);
+}
+
+double submerged_weight(const Case& c, const LineType& t) {
+    const Water& water = c.environment.water;
+    return (t.mass - water.density * t.displaced_area) * water.gravity;
+}
+
+Case read(const fs::path& path, const Overrides& overrides = {}) {
+    return read_case(path, overrides).value;
+}
+
+std::vector<fs::path> cases_in(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() == ".yml" && entry.path().stem() != "reference") {
+            files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::vector<fs::path> all_cases() {
+    std::vector<fs::path> files = cases_in(source / "cases");
+    for (const char* folder : {"cases/truss_spar", "tests/common/cases/accepted"}) {
+        const std::vector<fs::path> more = cases_in(source / folder);
+        files.insert(files.end(), more.begin(), more.end());
+    }
+    return files;
+}
+
+TEST(CaseFile, EveryCaseIsValid) {
+    for (const fs::path& file : all_cases()) {
+        EXPECT_NO_THROW(read_case(file, {})) << file;
+    }
+    EXPECT_GE(all_cases().size(), 8U);
+}
+
+TEST(CaseFile, ResolvedTextGivesTheSameBits) {
+    for (const fs::path& file : all_cases()) {
+        const CaseFile first = read_case(file, {});
+        const std::string name = first.value.name;
+        const CaseFile again = read_resolved_case(name, first.resolved, file.parent_path());
+        EXPECT_TRUE(again.value == first.value) << file;
+        // A resolved case is a case: written out and read as any other file it says the same.
+        const fs::path copy = fs::path(testing::TempDir()) / (name + ".yml");
+        std::ofstream(copy) << first.resolved;
+        Overrides place;  // data files stay where they are
+        if (first.value.platform && first.value.platform->hydrodynamics.database) {
+            place = {{"platform.hydrodynamics.database.path",
+                      first.value.platform->hydrodynamics.database->path}};
+        }
+        CaseFile third;
+        EXPECT_NO_THROW(third = read_case(copy, place)) << file;
+        fs::remove(copy);
+        EXPECT_TRUE(third.value == first.value) << file;
+    }
+}
+
+TEST(CaseFile, ResolvedTextIsCompleteButForAuto) {
+    const std::string text = read_case(spar, {}).resolved;
+    for (const char* key :
+         {"discretisation: equal_energy", "max_iterations: 200", "depth_filter: 1",
+          "statistics_from: 600 s", "interval: 0.5 s", "volume_diameter: 0.324 m  # auto",
+          "  ml12:\n", "  scr_prod2:\n", "seed: 1  # truss_spar.yml:"}) {
+        EXPECT_NE(text.find(key), std::string::npos) << key;
+    }
+    EXPECT_EQ(text.find("pattern"), std::string::npos);
+}
+
+// Case-format 9.1: the worked-out properties of the example's lines.
+TEST(TrussSpar, LineTypesHaveTheirPublishedWeights) {
+    const Case c = read(spar);
+    EXPECT_NEAR(submerged_weight(c, type(c, "chain")), 5.02e3, 5.0);       // 5.02 kN/m
+    EXPECT_NEAR(submerged_weight(c, type(c, "polyester")), 0.144e3, 0.5);  // 0.144 kN/m
+    EXPECT_NEAR(submerged_weight(c, type(c, "scr_oil")), 1418.83, 0.01);   // validation row A22
+    EXPECT_NEAR(type(c, "scr_oil").EI, 4.58729e7, 50.0);                   // validation row A22a
+    const double area = std::numbers::pi / 4 * (0.324 * 0.324 - 0.284 * 0.284);
+    EXPECT_NEAR(type(c, "scr_oil").EA, 207e9 * area, 1.0);
+    EXPECT_EQ(type(c, "polyester").EA, 706.32e6);
+    EXPECT_EQ(type(c, "polyester").viscoelastic->EA_static, 451.26e6);
+    EXPECT_EQ(type(c, "scr_gas").drag_diameter, 0.406);
+    EXPECT_EQ(type(c, "chain").drag_diameter, 0.172);
+}
+
+// Case-format 9.1: top-tensioned riser of Table 3: 235 + 102 - 133 kg/m, 2.00 kN/m.
+TEST(LineTypes, PipeFullOfSeaWater) {
+    const Case c = read(spar, {{"line_types.scr_oil.outer_diameter", "406 mm"},
+                               {"line_types.scr_oil.wall_thickness", "25 mm"},
+                               {"line_types.scr_oil.contents_density", "1025"}});
+    EXPECT_NEAR(submerged_weight(c, type(c, "scr_oil")), 2.00e3, 5.0);
+    EXPECT_NEAR(type(c, "scr_oil").mass, 235 + 102, 0.5);
+}
+
+TEST(LineTypes, ChainRulesStandInForWhatIsNotGiven) {
+    const CaseFile file = read_case(source / "tests/common/cases/accepted/chain.yml", {});
+    const LineType& t = type(file.value, "chain");
+    EXPECT_NEAR(t.mass, 199.0, 1e-9);
+    EXPECT_NEAR(t.EA, 8.54e8, 1e-3);
+    const double volume_diameter = std::sqrt(4 * t.displaced_area / std::numbers::pi);
+    EXPECT_NEAR(volume_diameter, 0.18, 0.0004);  // 1.80 d
+    int notes = 0;
+    for (const Problem& p : file.problems) notes += p.severity == Severity::note ? 1 : 0;
+    EXPECT_EQ(notes, 2);  // mass and EA say what was chosen
+}
+
+TEST(LineTypes, CoatingAndGrowthAddMassVolumeAndDrag) {
+    const Case c = read(source / "tests/common/cases/accepted/families.yml");
+    const LineType& t = type(c, "riser");
+    const auto disc = [](double d) { return std::numbers::pi / 4 * d * d; };
+    const double D = 12.75 * 0.0254, Di = D - 0.04, coated = D + 0.1, grown = coated + 0.05;
+    EXPECT_NEAR(t.mass,
+                7850 * (disc(D) - disc(Di)) + 900 * (disc(coated) - disc(D)) +
+                    1300 * (disc(grown) - disc(coated)) + 800 * disc(Di),
+                1e-9);
+    EXPECT_NEAR(t.displaced_area, disc(grown), 1e-12);
+    EXPECT_NEAR(t.drag_diameter, grown, 1e-12);
+    EXPECT_EQ(*t.damping_ratio, 0.02);  // from defaults
+}
+
+TEST(TrussSpar, TwelveLinesStandInThreeGroups) {
+    const Case c = read(spar);
+    ASSERT_EQ(c.lines.size(), 16U);
+    const double deg = std::numbers::pi / 180;
+    const double expected[] = {-7.5,  -2.5,  2.5,   7.5,   112.5, 117.5,
+                               122.5, 127.5, 232.5, 237.5, 242.5, 247.5};
+    for (std::size_t i = 0; i < 12; ++i) {
+        const Line& l = c.lines[i];
+        EXPECT_EQ(l.name, "ml" + std::to_string(i + 1));
+        EXPECT_EQ(l.family, "mooring");
+        const double a = expected[i] * deg;
+        EXPECT_NEAR((l.end_a.position - Vec3(20.5 * cos(a), 20.5 * sin(a), -60)).norm(), 0, 1e-9);
+        EXPECT_NEAR((l.end_b.position - Vec3(2068 * cos(a), 2068 * sin(a), -1500)).norm(), 0, 1e-9);
+        EXPECT_EQ(l.end_a.kind, EndKind::platform);
+        EXPECT_EQ(l.end_b.kind, EndKind::anchor);
+        EXPECT_EQ(l.attachments[0].arc_length, 91.0);
+        EXPECT_EQ(l.attachments[1].arc_length, 91.0 + 2286.0);
+    }
+    EXPECT_EQ(c.lines[12].name, "scr_oil");
+    EXPECT_EQ(c.lines[12].family, "scr");
+    EXPECT_NEAR(c.lines[12].azimuth, 60 * deg, 1e-15);
+}
+
+// 10 deg from vertical down, in the plane of the riser's azimuth, along increasing arc length.
+TEST(TrussSpar, FlexJointPointsDownAndOut) {
+    const Case c = read(spar);
+    const Line& l = line(c, "scr_oil");
+    const double d = 10 * std::numbers::pi / 180, a = 60 * std::numbers::pi / 180;
+    ASSERT_TRUE(l.end_a.direction);
+    EXPECT_NEAR((*l.end_a.direction - Vec3(sin(d) * cos(a), sin(d) * sin(a), -cos(d))).norm(), 0,
+                1e-15);
+    EXPECT_NEAR(l.end_a.rotational_stiffness, 15e3 * 180 / std::numbers::pi, 1e-6);
+    EXPECT_EQ(l.end_a.joint, Joint::flex);
+}
+
+TEST(TrussSpar, DefaultsFollowFromOtherKeys) {
+    const Case c = read(spar);
+    const Platform& p = *c.platform;
+    EXPECT_FALSE(p.mass);
+    EXPECT_FALSE(p.members[0].inertia);
+    EXPECT_EQ(p.members[0].displaced_area, 0.0);
+    EXPECT_EQ(p.members[1].displaced_area, 7.77);
+    EXPECT_EQ(p.plates.size(), 3U);
+    EXPECT_EQ(p.plates[2].position.z(), -135.0);
+    EXPECT_NEAR(*p.hydrodynamics.added_mass_frequency, 2 * std::numbers::pi / 15.6, 1e-15);
+    EXPECT_NEAR(*p.hydrodynamics.slow_cutoff, 2 * std::numbers::pi / 15.6 / 4, 1e-15);
+    EXPECT_EQ(p.hydrodynamics.database->path,
+              (source / "cases/truss_spar/hydro/truss_spar").string());
+    EXPECT_EQ(c.output.interval, c.analysis.dynamics.platform_step);
+    const Case changed = read(spar, {{"analysis.dynamics.steps.platform", "1 s"}});
+    EXPECT_EQ(changed.output.interval, 1.0);  // the default goes with the step
+}
+
+TEST(TrussSpar, ThePapersCaseDiffersInTheSchemeAlone) {
+    Case recommended = read(spar);
+    const Case paper = read(source / "cases/truss_spar/truss_spar_paper.yml");
+    EXPECT_EQ(paper.analysis.dynamics.rod_scheme.type, RodSchemeType::adams_moulton);
+    recommended.name = paper.name;
+    recommended.title = paper.title;
+    recommended.analysis.dynamics.rod_scheme = paper.analysis.dynamics.rod_scheme;
+    EXPECT_TRUE(recommended == paper);
+}
+
+TEST(CaseFile, ValuesCanBeSet) {
+    const Case c = read(spar, {{"environment.waves[0].Hs", "12 m"},
+                               {"parameters.heading", "15 deg"},
+                               {"output.snapshots", "4 s"},
+                               {"environment.seabed", "{depth: 1500, damping: 0}"}});
+    EXPECT_EQ(c.environment.waves[0].Hs, 12.0);
+    EXPECT_NEAR(c.environment.wind->heading, std::numbers::pi / 12, 1e-15);
+    EXPECT_EQ(*c.output.snapshots, 4.0);
+    EXPECT_EQ(c.environment.seabed.damping, 0.0);
+    EXPECT_THROW(read(spar, {{"environment.waves[3].Hs", "12 m"}}), InputError);
+    EXPECT_THROW(read(spar, {{"environment.wave[0].Hs", "12 m"}}), InputError);
+    EXPECT_THROW(read(spar, {{"environment..Hs", "12 m"}}), InputError);
+}
+
+TEST(CaseFile, UnitsOfAFileScaleItsPlainNumbers) {
+    const fs::path folder = source / "tests/common/cases/accepted";
+    Case si = read(folder / "chain.yml");
+    const Case kn = read(folder / "si_kn.yml");
+    EXPECT_EQ(kn.lines[0].length(), 200.0);
+    EXPECT_EQ(kn.environment.seabed.normal_stiffness, 1e5);
+    EXPECT_NEAR(kn.line_types[0].mass, si.line_types[0].mass, 1e-9);
+    EXPECT_NEAR(kn.line_types[0].EA, si.line_types[0].EA, 1e-3);
+    EXPECT_NEAR(kn.line_types[0].displaced_area, si.line_types[0].displaced_area, 1e-12);
+}
+
+TEST(CaseFile, FamiliesExpand) {
+    const Case c = read(source / "tests/common/cases/accepted/families.yml");
+    std::vector<std::string> names;
+    for (const Line& l : c.lines) names.push_back(l.name + ":" + l.family);
+    EXPECT_EQ(names, (std::vector<std::string>{"m1:mooring", "m2:mooring", "m3:mooring",
+                                               "m4:mooring", "t1:tethers", "t2:tethers",
+                                               "r1:risers", "r2:risers", "s:spare"}));
+    const Line& t2 = line(c, "t2");
+    EXPECT_EQ(t2.end_a.position, Vec3(-4, 4, 5));
+    EXPECT_EQ(t2.end_b.position, Vec3(-4, 4, -295));
+    EXPECT_EQ(t2.end_b.kind, EndKind::fixed);
+    EXPECT_EQ(*t2.end_a.direction, Vec3(0, 0, -1));
+    EXPECT_EQ(t2.sections[0].elements, 20);             // without a count: 20 elements a line
+    EXPECT_EQ(line(c, "m3").sections[0].elements, 20);  // 500 m in elements of 25 m
+    EXPECT_FALSE(line(c, "r1").end_a.direction);        // static
+    EXPECT_EQ(*line(c, "r1").sheltered_above, -20.0);
+    EXPECT_EQ(*line(c, "r1").time_step, 0.01);
+}
+
+TEST(CaseFile, MissingFileIsAnInputOutputFailure) {
+    try {
+        read(source / "cases/nowhere.yml");
+        FAIL();
+    } catch (const RunError& e) {
+        EXPECT_EQ(e.code(), ExitCode::io);
+    }
+}
+
+}  // namespace
+}  // namespace hawser::io

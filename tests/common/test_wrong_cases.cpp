@@ -1,0 +1,62 @@
+// Every class of mistake has a small case in cases/refused; beside it, in a file .expected, stands
+// what the reader says of it, line by line.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "io/case_file.hpp"
+
+namespace hawser::io {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path folder = fs::path(HAWSER_SOURCE_DIR) / "tests/common/cases/refused";
+
+std::string text_of(const fs::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
+/// What the reader says, with file names relative to the folder of the wrong cases.
+std::string complaint(const fs::path& file) {
+    try {
+        read_case(file, {});
+    } catch (const InputError& e) {
+        EXPECT_EQ(e.code(), ExitCode::input);
+        std::string text = e.what();
+        for (const fs::path& prefix : {folder, folder.parent_path()}) {
+            const std::string name = prefix.string() + "/";
+            for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name)) {
+                text.erase(at, name.size());
+            }
+        }
+        return text + "\n";
+    }
+    return "valid\n";
+}
+
+class WrongCase : public testing::TestWithParam<std::string> {};
+
+TEST_P(WrongCase, IsRefusedWithEveryProblemNamed) {
+    const fs::path file = folder / GetParam();
+    EXPECT_EQ(complaint(file), text_of(fs::path(file).replace_extension(".expected")));
+}
+
+std::vector<std::string> wrong_cases() {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() == ".yml") names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Folder, WrongCase, testing::ValuesIn(wrong_cases()),
+                         [](const auto& test) { return fs::path(test.param).stem().string(); });
+
+}  // namespace
+}  // namespace hawser::io

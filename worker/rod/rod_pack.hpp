@@ -134,7 +134,7 @@ class RodPack {
 
     // solve.cpp
     void solve(V a0, V a1);
-    void update_trial(Mask iterating, V a0, V a1, V limit, V& correction, V& finite);
+    void update_trial(Mask iterating, V a0, V a1, V part, V limit, V& correction, V& finite);
     void add_point_mass(const PointMass<V>& mass, V a0, V a1, V (&D)[7][7], V (&R)[7]) const;
     void add_slope_law(const SlopeLaw<V>& law, const TrialNode<V>& node, const Vector<V>& axis,
                        V (&D)[7][7], V (&R)[7], ConstraintLoad<V>& load) const;
@@ -143,13 +143,13 @@ class RodPack {
     void refresh_water(double until);
     void sample_slab(double T, std::size_t slab);
     void interpolate_water(V t);
-    void current_only(bool current);
+    void current_only(double part);
     void scatter_water(Water<V>* to);
 
     // statics.cpp
     void copy_idle_lanes();
     Mask guess_lane(int lane, const PlatformMotion& pose);
-    Mask static_newton(const PlatformMotion& pose, bool current, Mask wanted);
+    Mask static_newton(const PlatformMotion& pose, double current, Mask wanted, double part = 1.0);
     Mask false_equilibria() const;
     Status status_of(Mask bad, Status::Code code, double t) const;
     void finish_statics(Mask good);

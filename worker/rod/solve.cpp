@@ -169,7 +169,8 @@ void RodPack<V>::solve(V a0, V a1) {
 }
 
 template <class V>
-void RodPack<V>::update_trial(Mask iterating, V a0, V a1, V limit, V& correction, V& finite) {
+void RodPack<V>::update_trial(Mask iterating, V a0, V a1, V part, V limit, V& correction,
+                              V& finite) {
     const std::size_t N = properties_.size();
     correction = V(0.0);
     V sum(0.0);
@@ -180,7 +181,7 @@ void RodPack<V>::update_trial(Mask iterating, V a0, V a1, V limit, V& correction
     }
     finite = sum - sum;  // 0, or NaN
     // A step beyond the limit is shortened as a whole; frozen lanes do not move.
-    const V scale = select(iterating, min(V(1.0), limit / max(correction, V(1e-30))), V(0.0));
+    const V scale = select(iterating, min(part, limit / max(correction, V(1e-30))), V(0.0));
     const V c0 = scale * a0, c1 = scale * a1;
     for (std::size_t n = 0; n <= N; ++n) {
         const V(&d)[7] = correction_[n].x;
@@ -196,8 +197,9 @@ void RodPack<V>::update_trial(Mask iterating, V a0, V a1, V limit, V& correction
 }
 
 template void RodPack<Single>::solve(Single, Single);
-template void RodPack<Single>::update_trial(Single::Mask, Single, Single, Single, Single&, Single&);
+template void RodPack<Single>::update_trial(Single::Mask, Single, Single, Single, Single, Single&,
+                                            Single&);
 template void RodPack<Quad>::solve(Quad, Quad);
-template void RodPack<Quad>::update_trial(Quad::Mask, Quad, Quad, Quad, Quad&, Quad&);
+template void RodPack<Quad>::update_trial(Quad::Mask, Quad, Quad, Quad, Quad, Quad&, Quad&);
 
 }  // namespace hawser::worker

@@ -130,7 +130,7 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
     for (int i = 0; i < newton.max_iterations && any(iterating); ++i) {
         V correction, finite;
         solve(a0, a1);
-        update_trial(iterating, a0, a1, V(1e30), correction, finite);
+        update_trial(iterating, a0, a1, V(1.0), V(1e30), correction, finite);
         force_a = select(iterating, reaction_a_, force_a);
         force_b = select(iterating, reaction_b_, force_b);
         moment_a = select(iterating, moment_a_, moment_a);

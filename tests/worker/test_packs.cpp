@@ -67,6 +67,20 @@ TEST(RodPack, ARodsBitsDoNotDependOnItsNeighbours) {  // acceptance 6
     }
 }
 
+TEST(RodPack, ItsStiffnessDoesNotDependOnItsNeighbours) {
+    Case input = four_lines();
+    for (Line& line : input.lines) line.end_a.kind = EndKind::platform, line.end_a.motion.reset();
+    const Sea sea(input.environment, 5.0, 1.0);
+    RodPack<Quad> together(input, sea, {0, 1, 2, 3});
+    ASSERT_TRUE(together.equilibrium({}, true).ok());
+    for (int line = 0; line < 4; ++line) {
+        RodPack<Quad> alone(input, sea, {line});
+        ASSERT_TRUE(alone.equilibrium({}, true).ok());
+        EXPECT_EQ(alone.stiffness(0, Vec3::Zero()), together.stiffness(line, Vec3::Zero())) << line;
+        EXPECT_GT(alone.stiffness(0, Vec3::Zero())(0, 0), 100.0) << line;
+    }
+}
+
 TEST(RodPack, OneRodAgreesWithALaneOfFour) {  // acceptance 6: 1e-9
     const Case input = four_lines();
     const Sea sea(input.environment, 5.0, 1.0);

@@ -6,7 +6,7 @@
 namespace hawser {
 
 /// Prints to stderr at once. A report of problems has its whole lines already (`file:line: error:
-/// ...`); any other message gets the word in front.
+/// ...`), and so has a warning; any other message gets the word in front.
 void complain(const std::string& message);
 
 }  // namespace hawser

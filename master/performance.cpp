@@ -5,7 +5,8 @@
 namespace hawser::master {
 
 std::vector<io::Fact> performance_facts(const std::vector<io::RankTimes>& times, double simulated,
-                                        double loop, int orders) {
+                                        int orders) {
+    const double loop = times.empty() ? 0.0 : times[0].busy + times[0].waited;  // wall clock
     double cpu = 0.0;
     for (const io::RankTimes& rank : times) cpu += rank.user_cpu;
     std::vector<io::Fact> facts = {

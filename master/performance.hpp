@@ -10,9 +10,8 @@ namespace hawser::master {
 
 /// @param times      of each rank, in the time loop
 /// @param simulated  time reached [s]
-/// @param loop       wall clock of the time loop [s]
 /// @param orders     orders sent in all
 std::vector<io::Fact> performance_facts(const std::vector<io::RankTimes>& times, double simulated,
-                                        double loop, int orders);
+                                        int orders);
 
 }  // namespace hawser::master

@@ -1,0 +1,76 @@
+// A run whose input is good: static start, time loop, end. The physics and the loops are elsewhere
+// (hull.hpp, paper_loop.hpp, lines_loop.hpp); here is the order of things and what is recorded
+// when.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hull.hpp"
+#include "io/link.hpp"
+#include "io/result_file.hpp"
+#include "loop_clock.hpp"
+#include "platform_ledger.hpp"
+#include "progress.hpp"
+#include "recorded_lines.hpp"
+#include "recorder.hpp"
+#include "remote_lines.hpp"
+#include "roles.hpp"
+#include "run_report.hpp"
+
+namespace hawser::master {
+
+class Simulation {
+ public:
+    /// @param hull  null: lines alone
+    Simulation(const Case& input, const RunRequest& request, io::Link& link, Hull* hull);
+
+    /// The whole run. Whatever happens in it, every rank is told to stop and the result is closed.
+    ExitCode run();
+
+ private:
+    std::unique_ptr<Lines> make_lines();
+
+    void coupled();      ///< platform and lines, P:3
+    void lines_alone();  ///< no platform
+    void keep_statics(const PlatformMotion* platform, const Reply& lines);
+    /// Once a step: what the next order carries, what people see, and whether there is one.
+    bool go_on(int step, double t, Order& next, const PlatformMotion* platform, const Reply& lines);
+
+    // simulation_end.cpp
+    /// All ranks write what they hold; the result is closed, whole or not; all learn the code.
+    ExitCode end(ExitCode code, std::string message);
+    void write_result(ExitCode code, const std::string& message,
+                      const std::vector<io::RankTimes>& times);
+    [[nodiscard]] io::RunRecord record(ExitCode code, const std::string& message,
+                                       const std::vector<io::RankTimes>& times) const;
+    [[nodiscard]] double waited() const { return remote_ != nullptr ? remote_->waited() : 0.0; }
+
+    const Case& input_;
+    const RunRequest& request_;
+    io::Link& link_;
+    Hull* hull_;
+    double D_;
+    int n_steps_;
+    Sea sea_;
+    io::SeriesWriter results_;
+    Recorder recorder_;
+    RemoteLines* remote_ = nullptr;
+    std::unique_ptr<Lines> computed_;
+    RecordedLines lines_;
+    PlatformLedger ledger_;
+    RunReport report_;
+    StopRequest stop_;
+    Progress progress_;
+    LoopClock clock_;
+    std::optional<io::StaticState> statics_;
+    Order last_;  ///< the order that ends the run, with the flags of the last step
+    double t_ = 0.0;
+    bool stopped_ = false;
+    int segments_ = 0;
+    double last_segment_ = 0.0;
+};
+
+}  // namespace hawser::master

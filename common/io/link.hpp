@@ -1,6 +1,6 @@
 // The link between the ranks of a run: the only speaker of MPI. A run alone is a link of size 1
-// that never touches MPI. Every call is checked here; a failing one ends all ranks (platform:
-// section "Errors" of common/README.md).
+// that never touches MPI. Every call is checked here; a failing one ends all ranks (README.md of
+// common, "Ranks").
 #pragma once
 
 #include <memory>

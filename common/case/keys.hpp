@@ -74,6 +74,7 @@ struct Key {
     std::string condition_key;
     std::vector<std::string> condition_words;
     bool is_needed = false;  ///< ... and there it is required
+    bool is_table_later = false;  ///< a table instead of one number: not in this version
     bool is_required = false, is_later = false, is_hidden = false;
     const Table& (*table)() = nullptr;  ///< map, list, named
 
@@ -126,6 +127,10 @@ struct Key {
     }
     Key& later_words(std::vector<std::string> words) {
         not_yet = std::move(words);
+        return *this;
+    }
+    Key& table_later() {
+        is_table_later = true;
         return *this;
     }
     /// Dealt with before the table is read (include, like, pattern ...): no value of its own.

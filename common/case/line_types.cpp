@@ -170,11 +170,13 @@ const Table& line_type_keys() {
             .or_word("auto")
             .follows("rule of the category")
             .above(0)
+            .table_later()
             .eg("3071190 kN");
         k.number("EI", &T::EI, bending_stiffness, "Bending stiffness")
             .or_word("auto")
             .follows("E I for pipe, else 0")
             .at_least(0)
+            .table_later()
             .eg("45.9 MN.m2");
         k.map("viscoelastic", &T::viscoelastic, viscoelastic_keys,
               "Rope whose stiffness depends on how long the load lasts, instead of EA");

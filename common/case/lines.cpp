@@ -118,6 +118,7 @@ const Table& end_keys() {
                  dimension::rotational_stiffness, "Of a flex joint: moment per angle")
             .needed_with("joint", {"flex"})
             .at_least(0)
+            .table_later()
             .eg("15 kN.m/deg");
         k.number("direction", &EndKeys::direction, angle,
                  "Axis of a flex joint or clamp: angle from vertical down, in the plane of the "

@@ -256,8 +256,7 @@ Value KeyReader::scalar(const Key& key, const Node& node, const std::string& pat
 
 double KeyReader::number(const Key& key, const Dimension& dimension, const Node& node,
                          const std::string& path) {
-    if (node.kind == Node::Kind::list &&
-        (key.name == "EA" || key.name == "EI" || key.name == "rotational_stiffness")) {
+    if (node.kind == Node::Kind::list && key.is_table_later) {
         error(node.place, path, "a table: not available in this version; give one number");
         return NAN;
     }

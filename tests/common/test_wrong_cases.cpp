@@ -1,5 +1,6 @@
 // Every class of mistake has a small case in cases/refused; beside it, in a file .expected, stands
-// what the reader says of it, line by line.
+// what the reader says of it, line by line. Cases that are valid but doubtful are in
+// cases/doubtful.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace hawser::io {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path folder = fs::path(HAWSER_SOURCE_DIR) / "tests/common/cases/refused";
+const fs::path cases = fs::path(HAWSER_SOURCE_DIR) / "tests/common/cases";
+const fs::path folder = cases / "refused";
 
 std::string text_of(const fs::path& path) {
     std::ostringstream text;
@@ -21,22 +23,36 @@ std::string text_of(const fs::path& path) {
     return text.str();
 }
 
-/// What the reader says, with file names relative to the folder of the wrong cases.
+/// Without the folders before the names of files.
+std::string shortened(std::string text) {
+    for (const fs::path& prefix : {folder, cases / "doubtful", cases}) {
+        const std::string name = prefix.string() + "/";
+        for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name)) {
+            text.erase(at, name.size());
+        }
+    }
+    return text;
+}
+
 std::string complaint(const fs::path& file) {
     try {
         read_case(file, {});
     } catch (const InputError& e) {
         EXPECT_EQ(e.code(), ExitCode::input);
-        std::string text = e.what();
-        for (const fs::path& prefix : {folder, folder.parent_path()}) {
-            const std::string name = prefix.string() + "/";
-            for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name)) {
-                text.erase(at, name.size());
-            }
-        }
-        return text + "\n";
+        return shortened(e.what()) + "\n";
     }
     return "valid\n";
+}
+
+TEST(DoubtfulCase, IsReadWithWarningsAndNotes) {
+    for (const char* name : {"lines", "platform"}) {
+        std::string said;
+        for (const std::string& note :
+             read_case(cases / "doubtful" / (std::string(name) + ".yml"), {}).notes) {
+            said += shortened(note) + "\n";
+        }
+        EXPECT_EQ(said, text_of(cases / "doubtful" / (std::string(name) + ".expected")));
+    }
 }
 
 class WrongCase : public testing::TestWithParam<std::string> {};

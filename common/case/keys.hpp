@@ -73,7 +73,7 @@ struct Key {
     /// true or false) ...
     std::string condition_key;
     std::vector<std::string> condition_words;
-    bool is_needed = false;  ///< ... and there it is required
+    bool is_needed = false;       ///< ... and there it is required
     bool is_table_later = false;  ///< a table instead of one number: not in this version
     bool is_required = false, is_later = false, is_hidden = false;
     const Table& (*table)() = nullptr;  ///< map, list, named

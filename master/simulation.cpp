@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -9,10 +10,10 @@
 #include "failure_message.hpp"
 #include "io/result_fields.hpp"
 #include "lines_loop.hpp"
+#include "natural_periods.hpp"
 #include "packing.hpp"
 #include "paper_loop.hpp"
 #include "shares.hpp"
-#include "static_start.hpp"
 
 namespace hawser::master {
 
@@ -73,6 +74,7 @@ void Simulation::coupled() {
     const StaticStart start = static_start(input_, *hull_, lines_);
     for (const std::string& note : start.notes) report_.warn(note);
     keep_statics(&start.equilibrium, start.lines);
+    keep_platform_facts(start);
     PaperRate<Hull> rate(*hull_, lines_, start.lines);
     clock_.start(waited());
     paper_loop(rate, hull_->start(start.equilibrium, start.start), D_,
@@ -106,6 +108,34 @@ void Simulation::keep_statics(const PlatformMotion* platform, const Reply& lines
     for (const LineLoad& line : lines.lines) statics_->end_a_tension.push_back(line.end_tension);
     report_.log("static start found");
     last_segment_ = wall_seconds();
+}
+
+void Simulation::keep_platform_facts(const StaticStart& start) {
+    constexpr std::array<const char*, 6> motions = {"surge", "sway",  "heave",
+                                                    "roll",  "pitch", "yaw"};
+    platform_facts_ = {{"mass", "kg", "mass of the platform", hull_->mass()},
+                       {"acting_buoyancy", "N", "buoyancy at the design draft in still water",
+                        hull_->acting_buoyancy()}};
+    if (!input_.lines.empty())
+        platform_facts_.push_back({"vertical_line_load", "N",
+                                   "pull of the lines at the design position",
+                                   start.vertical_line_load});
+    const double frequency = hull_->radiation().frequency;
+    if (frequency > 0.0)
+        platform_facts_.push_back({"added_mass_frequency", "rad/s",
+                                   "constant added mass and damping taken at", frequency});
+    const Mat3 R = rotation(start.equilibrium.angles);
+    const HullLoads loads = hull_->loads(0.0, hull_->start(start.equilibrium, start.equilibrium));
+    const Mat6 M = mass_matrix(turned(hull_->body(), R)) +
+                   turned(hull_->radiation().added_mass, R) + loads.member_added_mass +
+                   loads.plate_added_mass;
+    const char* springs = input_.lines.empty() ? "" : ", static stiffness of lines";
+    const auto periods = natural_periods(start.stiffness, M);
+    for (std::size_t i = 0; i < periods.size(); ++i)
+        if (periods[i])
+            platform_facts_.push_back({std::string("period_") + motions[i], "s",
+                                       std::string("natural period in ") + motions[i] + springs,
+                                       *periods[i]});
 }
 
 bool Simulation::go_on(int step, double t, Order& next, const PlatformMotion* platform,

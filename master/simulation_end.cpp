@@ -64,9 +64,7 @@ io::RunRecord Simulation::record(ExitCode code, const std::string& message,
     r.statics = statics_;
     if (hull_ != nullptr) {
         if (ledger_.started()) r.ledger = ledger_.table();
-        r.platform = {{"mass", "kg", "mass of the platform", hull_->mass()},
-                      {"acting_buoyancy", "N", "buoyancy at the design draft in still water",
-                       hull_->acting_buoyancy()}};
+        r.platform = platform_facts_;
     }
     r.performance = performance_facts(times, t_, lines_.orders());
     return r;

@@ -54,6 +54,8 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
 
     out.equilibrium = out.start = rest.pose;
     out.iterations = rest.iterations;
+    out.stiffness = body.stiffness(rest.pose);
+    for (const LineLoad& line : rest.lines.lines) out.stiffness += line.stiffness;
     out.start.position += platform.initial.position;
     out.start.angles += platform.initial.angles;
     out.lines = std::move(rest.lines);

@@ -1,9 +1,13 @@
 // What a run says: progress, failing lines, the ledger's components.
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <cstdlib>
+
 #include "failure_message.hpp"
 #include "platform_ledger.hpp"
 #include "progress.hpp"
+#include "stop_signal.hpp"
 
 namespace hawser::master {
 namespace {
@@ -91,6 +95,28 @@ TEST(PlatformLedger, HasHullLoadsAndFamiliesAndBeginsWhenTheStatisticsDo) {
     EXPECT_EQ(table.momentum, Vec6(4.0 * Vec6::Ones()));
     EXPECT_EQ(table.from, 1.0);
     EXPECT_EQ(table.to, 3.0);
+}
+
+TEST(StopSignalDeathTest, ASecondInterruptEndsAtOnceWithSeven) {
+    EXPECT_EXIT(
+        {
+            watch_stop_signals();
+            std::raise(SIGINT);
+            std::raise(SIGTERM);
+        },
+        testing::ExitedWithCode(7), "");
+}
+
+TEST(StopSignalDeathTest, AWarningBeforeItDoesNot) {
+    EXPECT_EXIT(
+        {
+            watch_stop_signals();
+            std::raise(SIGUSR1);  // as a batch system sends it ahead of the end
+            std::raise(SIGUSR1);
+            std::raise(SIGTERM);
+            std::_Exit(stop_signal() == SIGTERM ? 42 : 1);
+        },
+        testing::ExitedWithCode(42), "");
 }
 
 }  // namespace

@@ -179,7 +179,8 @@ TEST(WaveLoads, AreFroudeKrylovAddedMassAndDrag) {  // R:16, R:19
     }
 }
 
-TEST(WaveLoads, AreSampledOnceForAllPassesAtTheStatedRate) {  // acceptance 17: elements x 4 / dt
+TEST(WaveLoads,
+     AreSampledOnceForAllPassesAtTheStatedRate) {  // P:5w; acceptance 17: elements x 4 / dt
     for (const double wave_step : {0.25, 0.4}) {
         const Case input = in_waves(4.0, wave_step);
         const Sea sea(input.environment, 4.0, 0.0);

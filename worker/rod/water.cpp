@@ -1,4 +1,6 @@
-// The water at a pack's Gauss points: one clock for all passes, R:19, P:6.
+// The water at a pack's Gauss points: one clock for all passes, R:19, P:6. Departs from P:5w: a
+// sample is made once, from the kept state, and serves as right and then as left end of its
+// intervals, so that all passes see the same waves and their history is continuous.
 #include <algorithm>
 #include <cmath>
 

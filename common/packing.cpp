@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 #include "line_mesh.hpp"
 
@@ -15,17 +16,21 @@ struct Layout {
     EndKind end_a, end_b;
     Joint joint_a, joint_b;
     std::vector<int> attachment_nodes;
+    std::vector<ConstraintType> constraints;
     bool operator==(const Layout&) const = default;
 };
 
 Layout layout_of(const Line& line) {
     const LineMesh mesh = mesh_of(line);
+    std::vector<ConstraintType> constraints;
+    for (const LineConstraint& c : line.constraints) constraints.push_back(c.type);
     return {.elements = mesh.elements(),
             .end_a = line.end_a.kind,
             .end_b = line.end_b.kind,
             .joint_a = line.end_a.joint,
             .joint_b = line.end_b.joint,
-            .attachment_nodes = mesh.attachment_node};
+            .attachment_nodes = mesh.attachment_node,
+            .constraints = std::move(constraints)};
 }
 
 }  // namespace

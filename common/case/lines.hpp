@@ -88,11 +88,34 @@ struct Attachment {
     bool operator==(const Attachment&) const = default;
 };
 
+enum class ConstraintType { guide, slider, tensioner };
+
+/// What holds a line between its ends. The place is a point and an axis that move with the
+/// platform, or stand on the earth.
+struct LineConstraint {
+    ConstraintType type = ConstraintType::guide;
+    std::string name;
+    bool on_platform = true;
+    Vec3 position = Vec3::Zero();             ///< platform axes, or world [m]
+    Vec3 axis = Vec3::UnitZ();                ///< unit, same axes
+    std::optional<double> arc_length;         ///< material point held; empty: what passes the place
+    double stiffness = 0.0, damping = 0.0;    ///< [N/m, N.s/m]
+    double gap = 0.0;                         ///< guide: radial [m]
+    double friction = 0.0;                    ///< guide: Coulomb coefficient along the axis
+    double mobilisation = 0.01;               ///< guide: slide that mobilises the friction [m]
+    double nominal_tension = 0.0;             ///< tensioner: at stroke 0 [N]
+    double exponent = 0.0, gas_column = 0.0;  ///< tensioner: gas law n [-], L [m]; n = 0: linear
+    double stroke_min = -1e9, stroke_max = 1e9;  ///< tensioner [m]
+
+    bool operator==(const LineConstraint&) const = default;
+};
+
 struct Line {
     std::string name, family;
     LineEnd end_a, end_b;
     std::vector<Section> sections;  ///< from end A
     std::vector<Attachment> attachments;
+    std::vector<LineConstraint> constraints;
     std::optional<double> time_step;  ///< upper bound of this line's rod step [s]
     std::optional<double>
         sheltered_above;   ///< height on the platform above which water moves with it [m]

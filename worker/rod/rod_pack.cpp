@@ -62,7 +62,7 @@ RodPack<V>::RodPack(const Case& input, const Sea& sea, std::vector<int> lines)
     set_properties(input);
     const std::size_t N = properties_.size();
     const int slabs = static_cast<int>(std::ceil(platform_step_ / wave_step_)) + 3;
-    kept_ = RodState<V>(static_cast<int>(N), slabs);
+    kept_ = RodState<V>(static_cast<int>(N), static_cast<int>(constraints_.size()), slabs);
     const auto axis = [&](const EndPlace& place, Vector<V>& to, Mask& is_static) {
         for (int i = 0; i < lanes; ++i) {
             const LineEnd& end = place.end[static_cast<std::size_t>(i)];
@@ -143,6 +143,7 @@ void RodPack<V>::set_properties(const Case& input) {
     set_slope_law(place_a_, law_a_, properties_.back());
     set_slope_law(place_b_, law_b_, properties_.front());
     set_spring();
+    set_constraints(input);
 }
 
 template <class V>
@@ -214,10 +215,19 @@ EndValues<V> RodPack<V>::end_values(const EndPlace& place, const Vector<V>& axis
 template <class V>
 Vec6 RodPack<V>::wrench(int lane, const Vec3& reference) const {
     Vec6 out = Vec6::Zero();
-    if (place_a_.kind != EndKind::platform) return out;
-    const Vec3 force = force_on_support_a(lane);
-    const Vec3 lever = lane_vector(working_.nodes()[properties_.size()].r, lane) - reference;
-    out << force, lever.cross(force) + moment_on_support_a(lane);
+    if (place_a_.kind == EndKind::platform) {
+        const Vec3 force = force_on_support_a(lane);
+        const Vec3 lever = lane_vector(working_.nodes()[properties_.size()].r, lane) - reference;
+        out << force, lever.cross(force) + moment_on_support_a(lane);
+    }
+    for (std::size_t c = 0; c < constraints_.size(); ++c) {
+        if (!constraints_[c].at[static_cast<std::size_t>(lane)].on_platform) continue;
+        const ConstraintState<V>& state = working_.constraints()[c];
+        const Vec3 force = -lane_vector(state.force, lane);
+        const Vec3 lever = lane_vector(state.point, lane) - reference;
+        out.head<3>() += force;
+        out.tail<3>() += lever.cross(force);
+    }
     return out;
 }
 
@@ -260,11 +270,17 @@ Vec3 RodPack<V>::node_position(int lane, int n) const {
 
 template <class V>
 Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference) {
-    if (place_a_.kind != EndKind::platform) return Mat6::Zero();
     using T = LaneTraits<V>;
     Eigen::Matrix<double, 7, 7> D;
     for (int i = 0; i < 7; ++i)
         for (int k = 0; k < 7; ++k) D(i, k) = T::get(last_D_[i][k], lane);
+    Mat6 along_rod = Mat6::Zero();
+    Border K_along = border_of_constraints(lane, reference, along_rod);
+    if (place_a_.kind != EndKind::platform) {
+        if (!place_a_.prescribed()) return along_rod - K_along.transpose() * D.inverse() * K_along;
+        const Eigen::Matrix<double, 4, 6> Ky = K_along.template bottomRows<4>();
+        return along_rod - Ky.transpose() * D.bottomRightCorner<4, 4>().inverse() * Ky;
+    }
     Mat3 Ks;
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) Ks(i, k) = T::get(slope_load_a_.stiffness(i, k), lane);
@@ -291,16 +307,19 @@ Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference) {
         Mat3 Kt;
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k) Kt(i, k) = T::get(spring_load_a_.stiffness(i, k), lane);
-        Eigen::Matrix<double, 7, 6> K = Eigen::Matrix<double, 7, 6>::Zero();
-        K.topRows<3>() = -Kt * B;
-        return B.transpose() * Kt * B - K.transpose() * D.inverse() * K + turning;
+        Border K = K_along;
+        K.template topRows<3>() -= Kt * B;
+        return along_rod + B.transpose() * Kt * B - K.transpose() * D.inverse() * K + turning;
     }
     // R:22, R:23: border columns and block, then the elimination of (r', lambda)
-    Eigen::Matrix<double, 4, 6> K = D.bottomLeftCorner<4, 3>() * B;
+    const Eigen::Matrix<double, 3, 6> K_r = K_along.template topRows<3>();
+    Eigen::Matrix<double, 4, 6> K =
+        D.bottomLeftCorner<4, 3>() * B + K_along.template bottomRows<4>();
     K.topRows<3>() -= Ks * Bs;
     K.topRightCorner<3, 3>() += skew(f);
     turning.bottomRightCorner<3, 3>() -= skew(d) * skew(f);
-    const Mat6 M = B.transpose() * D.topLeftCorner<3, 3>() * B + Bs.transpose() * Ks * Bs;
+    const Mat6 M = along_rod + B.transpose() * D.topLeftCorner<3, 3>() * B + B.transpose() * K_r +
+                   K_r.transpose() * B + Bs.transpose() * Ks * Bs;
     const Eigen::Matrix4d Dyy = D.bottomRightCorner<4, 4>();
     return M - K.transpose() * Dyy.inverse() * K + turning;
 }

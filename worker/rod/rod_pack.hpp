@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "case/case.hpp"
-#include "constraint/point_laws.hpp"
+#include "constraint/contact_laws.hpp"
 #include "environment/sea.hpp"
 #include "lines.hpp"
 #include "packing.hpp"
@@ -33,6 +33,26 @@ struct PointMass {
 template <class V>
 struct EndValues {
     Vector<V> position, velocity, acceleration, axis;
+};
+
+/// The platform's reference point and turning at the time of a step, per lane.
+template <class V>
+struct HullMotion {
+    Vector<V> origin, velocity, spin;
+};
+
+/// A constraint along the rods of a pack: its law, its places (one per lane) and what a step knows
+/// of it.
+template <class V>
+struct PlacedConstraint {
+    Law<V> law;
+    std::vector<LineConstraint> at;  ///< one per lane
+    V element{}, xi{};               ///< where it touches during the step
+    Vector<V> place, axis;           ///< on world axes at the end of the step
+    V slide_start{}, friction{};     ///< g.k before the step [m]; friction spring before it [m]
+    ConstraintReading<V> reading;
+    Vector<V> force, point;      ///< carried to the solution of the linear system
+    ConstraintState<V> settled;  ///< of each lane's own last iteration
 };
 
 /// Work done, for tests and the benchmark.
@@ -95,6 +115,12 @@ class RodPack {
     /// Static stiffness about `reference`: -d(wrench)/d(position, rotation vector) [6 x 6], R:25.
     [[nodiscard]] Mat6 stiffness(int lane, const Vec3& reference);
 
+    /// Constraint c of a lane in the working state: force on the rod [N], normal force or tension
+    /// [N], gap left or stroke [m].
+    [[nodiscard]] Vec3 constraint_force(int lane, int c) const;
+    [[nodiscard]] double constraint_magnitude(int lane, int c) const;
+    [[nodiscard]] double constraint_opening(int lane, int c) const;
+
     [[nodiscard]] const std::vector<int>& lines() const { return lines_; }
     [[nodiscard]] int elements() const { return static_cast<int>(properties_.size()); }
     [[nodiscard]] const RodState<V>& kept() const { return kept_; }
@@ -136,8 +162,24 @@ class RodPack {
     void solve(V a0, V a1);
     void update_trial(Mask iterating, V a0, V a1, V part, V limit, V& correction, V& finite);
     void add_point_mass(const PointMass<V>& mass, V a0, V a1, V (&D)[7][7], V (&R)[7]) const;
+    void add_constraints(std::size_t e, V a1, ElementSystem<V>& element);
+    void carry_constraints();
     void add_slope_law(const SlopeLaw<V>& law, const TrialNode<V>& node, const Vector<V>& axis,
                        V (&D)[7][7], V (&R)[7], ConstraintLoad<V>& load) const;
+
+    // constraints.cpp
+    void set_constraints(const Case& input);
+    using Border = Eigen::Matrix<double, 7, 6>;
+    /// Border columns of the constraints along the rod after the elimination of all nodes before
+    /// end A; their block of R:22 and R:24 is added to M.
+    Border border_of_constraints(int lane, const Vec3& reference, Mat6& M) const;
+    void place_constraints(const RodState<V>& before, V t_before, V t, const MotionSpline& platform,
+                           bool search);
+    void locate(PlacedConstraint<V>& c, int lane, bool search) const;
+    Vec3 trial_point(int lane, int element, double xi, Vec3* slope) const;
+    HullMotion<V> hull_motion(V t, const MotionSpline& platform) const;
+    void settle_constraints(Mask iterating);
+    void keep_constraints(Mask accepted, RodState<V>& s);
 
     // water.cpp
     void refresh_water(double until);
@@ -149,6 +191,8 @@ class RodPack {
     // statics.cpp
     void copy_idle_lanes();
     Mask guess_lane(int lane, const PlatformMotion& pose);
+    Mask guess_under_tension(int lane, const LineConstraint& tensioner, const PlatformMotion& pose,
+                             const Vec3& foot, const std::vector<CatenaryElement>& elements);
     Mask static_newton(const PlatformMotion& pose, double current, Mask wanted, double part = 1.0);
     Mask false_equilibria() const;
     Status status_of(Mask bad, Status::Code code, double t) const;
@@ -172,6 +216,9 @@ class RodPack {
     EndPlace place_a_, place_b_;
     SlopeLaw<V> law_a_, law_b_;
     PointLaw<V> spring_a_;
+    std::vector<PlacedConstraint<V>> constraints_;
+    HullMotion<V> hull_;
+    bool friction_on_ = true;
     bool law_on_ = true;
     Mask guessed_;  ///< lanes with a guess of their own
     bool has_strain_ = false, started_ = false, static_ = false;

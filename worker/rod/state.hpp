@@ -37,6 +37,16 @@ struct Water {
     V eta{};
 };
 
+/// A constraint along the rod: where it touches, its friction spring, its load on the rod and what
+/// it reports.
+template <class V>
+struct ConstraintState {
+    V element{}, xi{};         ///< element from end B and place in it
+    V friction{};              ///< deflection of the friction spring, R:34 [m]
+    Vector<V> force, point;    ///< on the rod [N], and where [m]
+    V magnitude{}, opening{};  ///< normal force or tension [N]; gap left or stroke [m]
+};
+
 /// What belongs to the rod as a whole.
 template <class V>
 struct RodHead {
@@ -50,8 +60,9 @@ template <class V>
 class RodState {
  public:
     RodState() = default;
-    RodState(int elements, int water_slabs)
+    RodState(int elements, int constraints, int water_slabs)
         : elements_(static_cast<std::size_t>(elements)),
+          constraints_(static_cast<std::size_t>(constraints)),
           slabs_(static_cast<std::size_t>(water_slabs)),
           block_(water_start() + slabs_ * points() * (sizeof(Water<V>) / sizeof(V))) {}
 
@@ -64,6 +75,10 @@ class RodState {
     const Multiplier<V>* lambda() const { return at<const Multiplier<V>>(lambda_start()); }
     Strain<V>* strain() { return at<Strain<V>>(strain_start()); }
     const Strain<V>* strain() const { return at<const Strain<V>>(strain_start()); }
+    ConstraintState<V>* constraints() { return at<ConstraintState<V>>(constraint_start()); }
+    const ConstraintState<V>* constraints() const {
+        return at<const ConstraintState<V>>(constraint_start());
+    }
     Water<V>* water(std::size_t slab) { return at<Water<V>>(water_start()) + slab * points(); }
     const Water<V>* water(std::size_t slab) const {
         return at<const Water<V>>(water_start()) + slab * points();
@@ -84,7 +99,12 @@ class RodState {
     std::size_t strain_start() const {
         return lambda_start() + (2 * elements_ + 1) * count(sizeof(Multiplier<V>));
     }
-    std::size_t water_start() const { return strain_start() + points() * count(sizeof(Strain<V>)); }
+    std::size_t constraint_start() const {
+        return strain_start() + points() * count(sizeof(Strain<V>));
+    }
+    std::size_t water_start() const {
+        return constraint_start() + constraints_ * count(sizeof(ConstraintState<V>));
+    }
     template <class T>
     T* at(std::size_t i) {
         return reinterpret_cast<T*>(block_.data() + i);
@@ -94,7 +114,7 @@ class RodState {
         return reinterpret_cast<T*>(block_.data() + i);
     }
 
-    std::size_t elements_ = 0, slabs_ = 0;
+    std::size_t elements_ = 0, constraints_ = 0, slabs_ = 0;
     std::vector<V> block_;
 };
 

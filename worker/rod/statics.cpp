@@ -48,6 +48,13 @@ auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose) -> Mask {
         }
         elements.push_back(element);
     }
+    if (!place_a_.held() && place_b_.held()) {
+        for (const PlacedConstraint<V>& c : constraints_) {
+            if (std::holds_alternative<Tensioner<V>>(c.law))
+                return guess_under_tension(lane, c.at[static_cast<std::size_t>(lane)], pose,
+                                           vec(b.position), elements);
+        }
+    }
     const bool on_bed = place_b_.end[static_cast<std::size_t>(lane)].kind == EndKind::anchor;
     const Catenary shape_found =
         place_b_.prescribed() ? solve_catenary(elements, vec(b.position), vec(a.position), on_bed)
@@ -56,6 +63,35 @@ auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose) -> Mask {
     if (!shape_found.found) return found;
     T::set(found, lane, true);
     set_guess(lane, shape_found.nodes);
+    return found;
+}
+
+template <class V>
+auto RodPack<V>::guess_under_tension(int lane, const LineConstraint& tensioner,
+                                     const PlatformMotion& pose, const Vec3& foot,
+                                     const std::vector<CatenaryElement>& elements) -> Mask {
+    // A riser that hangs in its tensioner: straight from its foot, the tension less the weight
+    // below
+    const Vec3 top = tensioner.on_platform
+                         ? Vec3(pose.position + rotation(pose.angles) * tensioner.position)
+                         : tensioner.position;
+    double length = 0.0, T = tensioner.nominal_tension;
+    for (const CatenaryElement& e : elements) {
+        length += e.length;
+        T -= e.weight_wet * e.length + e.point_weight;
+    }
+    const Vec3 u = (top - foot).normalized();
+    const double stretch = (top - foot).norm() / length;
+    std::vector<CatenaryNode> nodes{{.position = foot, .tangent = u, .tension = T}};
+    double s = 0.0;
+    for (const CatenaryElement& e : elements) {
+        s += e.length;
+        T += e.weight_wet * e.length + e.point_weight;
+        nodes.push_back({.position = foot + stretch * s * u, .tangent = u, .tension = T});
+    }
+    set_guess(lane, nodes);
+    Mask found = LaneTraits<V>::none();
+    LaneTraits<V>::set(found, lane, true);
     return found;
 }
 
@@ -108,21 +144,26 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, double current, Mask 
     for (int i = 0; i < static_iterations && any(iterating); ++i) {
         V correction, finite;
         current_only(current);
+        if (!constraints_.empty()) {
+            friction_on_ = false;
+            place_constraints(kept_, V(0.0), V(0.0), still, true);
+        }
         solve(V(0.0), V(0.0));
         update_trial(iterating, V(0.0), V(0.0), V(part), V(static_step_limit), correction, finite);
         head.force_a = select(iterating, reaction_a_, head.force_a);
         head.force_b = select(iterating, reaction_b_, head.force_b);
         head.moment_a = select(iterating, moment_a_, head.moment_a);
         head.moment_b = select(iterating, moment_b_, head.moment_b);
+        settle_constraints(iterating);
         const Mask sound = iterating & (finite <= V(0.0));
         polish = select(sound & (correction <= V(static_tolerance)), polish + V(1.0), V(0.0));
         const Mask done = sound & (polish >= V(3.0));
         solved = solved | done;
         iterating = sound & !done;
     }
+    keep_constraints(solved, kept_);
     current_only(current);
-    solve(V(0.0),
-          V(0.0));  // the stiffness of every lane at what it has found, whoever iterated last
+    solve(V(0.0), V(0.0));  // the stiffness of every lane at what it has found
     // What was found becomes the kept state of the lanes that were wanted.
     NodeState<V>* to = kept_.nodes();
     for (std::size_t n = 0; n < trial_.size(); ++n) {

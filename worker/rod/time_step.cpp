@@ -122,6 +122,11 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
     if (place_a_.prescribed()) put(trial_.back(), end_a_);
     if (place_b_.prescribed()) put(trial_.front(), end_b_);
 
+    if (!constraints_.empty()) {
+        friction_on_ = true;
+        place_constraints(working_, working_.head().t, t_new, platform, false);
+    }
+
     Mask iterating = active;
     accepted = LaneTraits<V>::none();
     RodHead<V>& head = working_.head();
@@ -135,6 +140,7 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
         force_b = select(iterating, reaction_b_, force_b);
         moment_a = select(iterating, moment_a_, moment_a);
         moment_b = select(iterating, moment_b_, moment_b);
+        settle_constraints(iterating);
         const Mask sound = iterating & (finite <= V(0.0));
         const Mask converged = sound & (correction <= V(newton.tolerance));
         accepted = accepted | converged;
@@ -149,6 +155,7 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
     head.force_b = select(accepted, force_b, head.force_b);
     head.moment_a = select(accepted, moment_a, head.moment_a);
     head.moment_b = select(accepted, moment_b, head.moment_b);
+    keep_constraints(accepted, working_);
     accept(accepted, h, t_new);
 }
 

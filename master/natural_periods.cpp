@@ -11,7 +11,7 @@ namespace hawser::master {
 std::array<std::optional<double>, 6> natural_periods(const Mat6& K, const Mat6& M) {
     const Mat6 symmetric = 0.5 * (K + K.transpose());
     const Eigen::GeneralizedSelfAdjointEigenSolver<Mat6> modes(symmetric, M);
-    const Vec6 squares = modes.eigenvalues();  // w^2
+    const Vec6& squares = modes.eigenvalues();  // w^2
 
     // The pair of mode and motion with the greatest share first.
     std::vector<std::tuple<double, int, int>> shares;  // share, mode, motion

@@ -35,7 +35,8 @@ ExitCode Simulation::end(ExitCode code, std::string message) {
         } catch (const RunError&) {  // not even that can be written; the message below says why
         }
     }
-    if (code != ExitCode::done) complain(message);
+    if (code == ExitCode::stopped) std::fprintf(stderr, "%s\n", message.c_str());
+    if (code != ExitCode::done && code != ExitCode::stopped) complain(message);
     int agreed = static_cast<int>(code);
     link_.broadcast(agreed);
     return code;

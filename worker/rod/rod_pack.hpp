@@ -185,7 +185,7 @@ class RodPack {
     void refresh_water(double until);
     void sample_slab(double T, std::size_t slab);
     void interpolate_water(V t);
-    void current_only(double part);
+    void current_only(bool current);
     void scatter_water(Water<V>* to);
 
     // statics.cpp
@@ -193,7 +193,7 @@ class RodPack {
     Mask guess_lane(int lane, const PlatformMotion& pose);
     Mask guess_under_tension(int lane, const LineConstraint& tensioner, const PlatformMotion& pose,
                              const Vec3& foot, const std::vector<CatenaryElement>& elements);
-    Mask static_newton(const PlatformMotion& pose, double current, Mask wanted, double part = 1.0);
+    Mask static_newton(const PlatformMotion& pose, bool current, Mask wanted, double part = 1.0);
     Mask false_equilibria() const;
     Status status_of(Mask bad, Status::Code code, double t) const;
     void finish_statics(Mask good);

@@ -12,10 +12,9 @@ namespace {
 
 constexpr double static_tolerance = 1e-9;  // nodal position correction [m]
 constexpr int static_iterations = 100;
-// Where the whole current at once is too much: R:17 has no derivative of drag in the slope, so that
-// the iteration overshoots on a lightly loaded line that lies down in the stream.
-constexpr int current_increments = 10;
-constexpr double careful_part = 0.5;        // of each correction
+// Parts of each correction where whole ones fail: R:17 has no derivative of drag in the slope, so
+// that the iteration overshoots on a lightly loaded line that lies down in the stream.
+constexpr double careful_parts[] = {0.5, 0.2};
 constexpr double static_step_limit = 50.0;  // [m]
 constexpr double move_per_increment = 5.0;  // of the platform between two static solutions [m]
 constexpr double turn_lever = 100.0;        // metres of motion that a radian of rotation counts as
@@ -121,7 +120,7 @@ void RodPack<V>::set_guess(int lane, const std::vector<CatenaryNode>& nodes) {
 }
 
 template <class V>
-auto RodPack<V>::static_newton(const PlatformMotion& pose, double current, Mask wanted, double part)
+auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wanted, double part)
     -> Mask {
     static_ = true;
     const MotionSpline still(0.0, pose, 0.0, pose);
@@ -141,7 +140,7 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, double current, Mask 
     Mask iterating = wanted, solved = LaneTraits<V>::none();
     RodHead<V>& head = kept_.head();
     V polish(0.0);  // two more iterations after the position test settle lambda
-    for (int i = 0; i < static_iterations && any(iterating); ++i) {
+    for (int i = 0; i < static_iterations / part && any(iterating); ++i) {
         V correction, finite;
         current_only(current);
         if (!constraints_.empty()) {
@@ -243,7 +242,7 @@ Status RodPack<V>::equilibrium(const PlatformMotion& pose, bool current) {
         if (any(everything_of(guessed)))
             return status_of(everything_of(guessed), Status::Code::no_equilibrium, 0.0);
         law_on_ = !any(axis_is_static_a_ | axis_is_static_b_);
-        const Mask solved = static_newton(design, 0.0, used_);
+        const Mask solved = static_newton(design, false, used_);
         law_on_ = true;
         if (any(everything_of(solved)))
             return status_of(everything_of(solved), Status::Code::no_equilibrium, 0.0);
@@ -271,15 +270,13 @@ Status RodPack<V>::equilibrium(const PlatformMotion& pose, bool current) {
             at.position = from.position + q * (pose.position - from.position);
             at.angles = from.angles + q * (pose.angles - from.angles);
         }
-        Mask solved = static_newton(at, current ? 1.0 : 0.0, used_);
-        if (any(everything_of(solved))) {  // once more from the catenary, the current by degrees
+        Mask solved = static_newton(at, current, used_);
+        for (const double part : careful_parts) {  // once more from the catenary
+            const Mask again = everything_of(solved);
+            if (!any(again)) break;
             for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
-                if (LaneTraits<V>::get(everything_of(solved), i)) guess_lane(i, at);
-            Mask again = everything_of(solved);
-            for (int c = 1; c <= (current ? current_increments : 1); ++c)
-                again = static_newton(at, current ? c / double(current_increments) : 0.0, again,
-                                      careful_part);
-            solved = solved | again;
+                if (LaneTraits<V>::get(again, i)) guess_lane(i, at);
+            solved = solved | static_newton(at, current, again, part);
         }
         if (any(everything_of(solved)))
             return status_of(everything_of(solved), Status::Code::no_equilibrium, 0.0);

@@ -124,8 +124,8 @@ void RodPack<V>::interpolate_water(V t) {
 }
 
 template <class V>
-void RodPack<V>::current_only(double part) {
-    if (part == 0.0 || !sea_->has_current()) {
+void RodPack<V>::current_only(bool current) {
+    if (!current || !sea_->has_current()) {
         std::fill(water_.begin(), water_.end(), Water<V>{});
         return;
     }
@@ -155,15 +155,13 @@ void RodPack<V>::current_only(double part) {
     sea_->sample_current(static_cast<int>(lines_.size() * points), xs_.data(), ys_.data(),
                          zs_.data(), out);
     scatter_water(water_.data());
-    if (part < 1.0)
-        for (Water<V>& w : water_) w.u = V(part) * w.u;
 }
 
 template void RodPack<Single>::refresh_water(double);
 template void RodPack<Single>::interpolate_water(Single);
-template void RodPack<Single>::current_only(double);
+template void RodPack<Single>::current_only(bool);
 template void RodPack<Quad>::refresh_water(double);
 template void RodPack<Quad>::interpolate_water(Quad);
-template void RodPack<Quad>::current_only(double);
+template void RodPack<Quad>::current_only(bool);
 
 }  // namespace hawser::worker

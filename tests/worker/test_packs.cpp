@@ -146,6 +146,9 @@ TEST(RodPack, AFailingLineIsNamedWithPlaceAndTimeAndHarmsNoOther) {  // section 
     }
     ASSERT_FALSE(status.ok());
     EXPECT_EQ(status.line, 2);
+    // as soon as a stretch to twice the length is asked for, R:6
+    const double chord = (all.node_position(2, 0) - all.node_position(2, all.elements())).norm();
+    EXPECT_LT(chord, 2.2 * input.lines[2].length());
     EXPECT_GT(status.t, t);
     EXPECT_LE(status.t, t + 0.5);
     EXPECT_GE(status.arc_length, 0.0);

@@ -61,12 +61,17 @@ TEST(TimeStep, ErrorFallsWithTheSquareOfTheStep) {  // R:27, acceptance 4
 
 TEST(TimeStep, OneIterationIsEnough) {  // acceptance 5: rms below 0.01 % of std at h = 0.1
     Setting s;
-    s.h = 0.1, s.from = 20;
-    s.tolerance = 1e9;
-    const Record one = top_tension(storm, taut_span, 60, s);
-    s.tolerance = 1e-7;
-    const Record newton = top_tension(storm, taut_span, 60, s);
-    EXPECT_LT(rms_difference(one, newton), 1e-4 * newton.deviation());
+    s.from = 20;
+    for (const double h : {0.1, 0.2}) {
+        s.h = h;
+        s.tolerance = 1e9;
+        const Record one = top_tension(storm, taut_span, 60, s);
+        s.tolerance = 1e-7;
+        const Record newton = top_tension(storm, taut_span, 60, s);
+        // at 0.2 s half of what is left without the prediction R:29 of lambda
+        EXPECT_LT(rms_difference(one, newton), (h < 0.15 ? 1e-4 : 4.5e-4) * newton.deviation())
+            << h;
+    }
 }
 
 /// Size of the sawtooth: rms of the second difference over the last 2 s of 100 s, quarter of it.

@@ -26,7 +26,8 @@ TEST(TowedCable, HangsStraightAtTheAngleOfItsDrag) {  // validation row A15: 0.1
     struct Row {
         double speed, angle;
     };
-    for (const Row row : {Row{0.5, 85.617}, Row{1, 73.567}, Row{1.5, 59.261}, Row{2, 47.704}}) {
+    for (const Row row : {Row{0.5, 85.617}, Row{1, 73.567}, Row{1.5, 59.261}, Row{2, 47.704},
+                          Row{4, 25.375}}) {  // the last from k sin^2 p = cos p
         Case input = one_line(towed_type(), 200, 20, fixed_at({0, 0, -10}), LineEnd{});
         input.environment.current = uniform(row.speed);
         const Sea sea = still_sea(input);
@@ -199,6 +200,32 @@ TEST(WaveLoads,
         for (int k = 4; k < 24; ++k) step(k);
         EXPECT_EQ(static_cast<long>(rod.work().water_samples) - first,
                   4 * gauss_points * std::lround(10.0 / wave_step));
+    }
+}
+
+TEST(WaveLoads, AreSampledWhereTheRodWillBe) {  // R:19: at r + (T - t) v of the kept state
+    const Case input = in_waves(4.0, 0.25);
+    const Sea sea(input.environment, 0.0, 0.0);
+    RodPack<Single> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    const Vec3 v(6.0, 0.0, -2.0);
+    for (int n = 0; n <= rod.elements(); ++n) rod.kept().nodes()[n].v = lanes_of(v);
+    const Vec3 end_b = vec(rod.kept().nodes()[0].r), end_a = vec(rod.kept().nodes()[4].r);
+    const PlatformMotion still;
+    (void)rod.pass(0, 0.5, MotionSpline(0, still, 0.5, still));  // its ends stand: only the samples
+    for (std::size_t j = 0; j <= 2; ++j) {
+        const double T = 0.25 * static_cast<double>(j);
+        for (const std::size_t g :
+             {std::size_t{0}, std::size_t{2}}) {  // points of the first element
+            const Vec3 x = end_b + gauss_xi[g] / 4 * (end_a - end_b) + T * v;
+            double out[7];
+            sea.sample(T, 1, &x.x(), &x.y(), &x.z(),
+                       {&out[0], &out[1], &out[2], &out[3], &out[4], &out[5], &out[6]});
+            const Water<Single>& water = rod.kept().water(j)[g];
+            // the line sags by 0.2 mm
+            EXPECT_LT((vec(water.u) - Vec3(out[0], out[1], out[2])).norm(), 1e-4) << T;
+            EXPECT_LT((vec(water.ud) - Vec3(out[3], out[4], out[5])).norm(), 1e-4) << T;
+        }
     }
 }
 

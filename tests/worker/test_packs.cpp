@@ -146,7 +146,7 @@ TEST(RodPack, AFailingLineIsNamedWithPlaceAndTimeAndHarmsNoOther) {  // section 
     }
     ASSERT_FALSE(status.ok());
     EXPECT_EQ(status.line, 2);
-    // as soon as a stretch to twice the length is asked for, R:6
+    // where the stretch law ends, at twice the length (R:6), not later
     const double chord = (all.node_position(2, 0) - all.node_position(2, all.elements())).norm();
     EXPECT_LT(chord, 2.2 * input.lines[2].length());
     EXPECT_GT(status.t, t);

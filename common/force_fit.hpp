@@ -1,5 +1,5 @@
 // The force a pass returns: the value at its end, or a least-squares fit of the sub-step history
-// evaluated there (P:4-P:5, "force fit"; R section 12.2).
+// evaluated there (P:4, P:5: "force fit").
 #pragma once
 
 #include "case/analysis.hpp"

@@ -25,7 +25,7 @@ struct Status {
     int line = -1;            ///< index of the line, in line order; -1: none
     double arc_length = 0.0;  ///< where the residual is largest, from end A [m]
     double t = 0.0;           ///< simulated time [s]
-    double residual = 0.0;  ///< largest nodal force residual [N] (statics: position correction [m])
+    double residual = 0.0;    ///< largest nodal position correction left [m]
     int iterations = 0;
 
     [[nodiscard]] bool ok() const { return code == Code::ok; }

@@ -1,5 +1,5 @@
 // Where platform and lines rest together under the mean loads: Newton's method on the platform's
-// six coordinates with the lines' own reactions and stiffness. R section 9.1.
+// six coordinates with the lines' own reactions and stiffness. Tangent of the lines: R:25.
 #pragma once
 
 #include <functional>

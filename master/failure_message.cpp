@@ -11,7 +11,8 @@ namespace hawser::master {
 
 double largest_cfl(const Line& line, const Case& input) {
     const LineMesh mesh = mesh_of(line);
-    const double h = line.time_step.value_or(input.analysis.dynamics.line_step);
+    const double longest = input.analysis.dynamics.line_step;
+    const double h = std::min(line.time_step.value_or(longest), longest);
     double largest = 0.0;
     for (int e = 0; e < mesh.elements(); ++e) {
         const auto i = static_cast<std::size_t>(e);
@@ -37,7 +38,8 @@ std::string failure_message(const Status& status, const Case& input, int stage) 
             return when + ": no failure";
         case Status::Code::not_converged:
             return fmt::format(
-                "{}: Newton residual {:.2g} N after {} iterations, largest at {}; likely cause: a "
+                "{}: Newton's position correction is still {:.2g} m after {} iterations, largest "
+                "at {}; likely cause: a "
                 "step too long for what happens there ({}); try a shorter "
                 "analysis.dynamics.steps.lines or steps.platform, or shorter elements",
                 when, status.residual, status.iterations, where, cfl);
@@ -50,7 +52,9 @@ std::string failure_message(const Status& status, const Case& input, int stage) 
         case Status::Code::no_equilibrium:
             return fmt::format(
                 "{}: no static solution after {} iterations, largest position correction {:.2g} m "
-                "at {}; likely cause: a line too short for its ends, an anchor off the seabed, or "
+                "at {}; likely cause: a line too short for its ends or so long that it lies slack, "
+                "an anchor off "
+                "the seabed, or "
                 "a line type lighter than water",
                 name, status.iterations, status.residual, where);
         case Status::Code::false_equilibrium:

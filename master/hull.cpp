@@ -154,6 +154,12 @@ State Hull::rate(double t, const State& s, HullLoads& loads, const Vec6& lines,
                                    "analysis.dynamics.steps.platform",
                                    name_, t, pitch * 180 / M_PI));
     const Mat3 R = rotation(m.angles);
+    if (!(R(2, 2) >= std::cos(steepest_pitch)))
+        throw RunError(ExitCode::diverged,
+                       fmt::format("{}, t = {:.3f} s: the platform has capsized: its axis leans by "
+                                   "{:.1f} deg, the limit is 80 deg. Look at its stability (weight "
+                                   "and buoyancy, GM) and at the loads",
+                                   name_, t, std::acos(R(2, 2)) * 180 / M_PI));
     const Vec3 w = angular_velocity(m);
     const TurnedBody body = turned(body_, R);
     const Mat6 A_w = turned(radiation_.added_mass, R), B_w = turned(radiation_.damping, R);

@@ -1,5 +1,5 @@
 // One evaluation of P:2 in the paper's scheme: a pass of the lines and the platform's equation of
-// motion at its end. P:2, P:3, R section 12.2.
+// motion at its end. P:2, P:3.
 #pragma once
 
 #include <stdexcept>

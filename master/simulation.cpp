@@ -18,7 +18,6 @@
 namespace hawser::master {
 
 namespace {
-constexpr int segment_samples = 256;      // samples between segments at most ...
 constexpr double segment_seconds = 20.0;  // ... and wall clock
 }  // namespace
 
@@ -38,7 +37,7 @@ Simulation::Simulation(const Case& input, const RunRequest& request, io::Link& l
       report_(request),
       stop_(request),
       progress_(request.quiet ? ProgressStyle::none : request.progress, link.alone()) {
-    results_.reserve(segment_samples, segment_samples);
+    results_.reserve(io::segment_samples, io::segment_samples);
     report_.running(0.0, 0.0);
 }
 
@@ -152,7 +151,7 @@ bool Simulation::go_on(int step, double t, Order& next, const PlatformMotion* pl
         report_.running(t, results_.saved_to());
     }
     next.write_segment =
-        results_.pending() >= segment_samples || now - last_segment_ >= segment_seconds;
+        results_.pending() >= io::segment_samples || now - last_segment_ >= segment_seconds;
     progress_.show(t, n_steps_ * D_, platform, lines, input_);
 
     const bool finished = step == n_steps_;

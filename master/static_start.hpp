@@ -1,5 +1,5 @@
 // From where a run starts: the common equilibrium of platform and lines under the mean loads, and
-// the offset that the case adds to it. R section 9.1; case key `platform.mass: auto`.
+// the offset that the case adds to it. Case key `platform.mass: auto`.
 #pragma once
 
 #include <string>

@@ -22,6 +22,7 @@ ExitCode run_worker(const Case& input, const RunRequest& request, io::Link& link
     std::unique_ptr<Lines> lines;
     try {
         results.emplace(request.folder, io::result_fields(input, nodes_per_line(input)), link);
+        results->reserve(io::segment_samples, io::segment_samples);
         const auto packs = packs_of_ranks(input, link.size());
         lines = make_local_lines(input, packs[static_cast<std::size_t>(link.rank())], &*results);
     } catch (const RunError& error) {

@@ -71,7 +71,6 @@ class Build {
         line.family = keys.family;
         line.azimuth = keys.azimuth.value_or(0.0);
         line.time_step = keys.time_step;
-        line.sheltered_above = keys.sheltered_above;
         line.end_a = end(keys.end_a, keys, path + ".end_a");
         line.end_b = end(keys.end_b, keys, path + ".end_b");
         if (keys.end_b.wellhead_z) {
@@ -85,6 +84,11 @@ class Build {
         }
         if (keys.end_a.free == true && keys.end_b.free == true) {
             error(path, "both ends are free: one must be held");
+        } else if (keys.end_a.free == true) {
+            error(
+                path + ".end_a.free",
+                "a free end A: not available in this version; let end A be the held one and end B "
+                "free");
         }
         for (std::size_t i = 0; i < keys.sections.size(); ++i)
             section(keys.sections[i], i, path, line);

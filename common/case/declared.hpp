@@ -102,7 +102,7 @@ struct LineKeys {
     EndKeys end_a, end_b;
     std::vector<SectionKeys> sections;
     std::vector<AttachmentKeys> attachments;
-    std::optional<double> time_step, sheltered_above;
+    std::optional<double> time_step;
 };
 
 /// How a family makes several lines of one description.

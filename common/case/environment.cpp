@@ -189,11 +189,13 @@ const Table& wind_keys() {
             .at_least(0)
             .eg("87.5 knot");
         k.number("averaging", &Wind::averaging, dimension::time, "Averaging time of the speed")
+            .only_with("spectrum", {"npd"})
             .def("1 h")
             .above(0)
             .at_most(3600);
         k.number("reference_height", &Wind::reference_height, length,
                  "Height of the speed above mean sea level")
+            .only_with("spectrum", {"npd"})
             .def("10 m")
             .above(0);
         k.number("heading", &Wind::heading, angle,

@@ -208,18 +208,6 @@ const Table& attachment_keys() {
     return table;
 }
 
-const Table& sheltered_keys() {
-    static const Table table = [] {
-        Keys<LineKeys> k("sheltered");
-        k.number("above", &LineKeys::sheltered_above, length,
-                 "Height on the platform above which the water moves with it: no wave, no current")
-            .required()
-            .eg("-70 m");
-        return k.done();
-    }();
-    return table;
-}
-
 }  // namespace
 
 const Table& pattern_keys() {
@@ -306,8 +294,7 @@ const Table& line_keys() {
             .follows("analysis.dynamics.steps.lines")
             .above(0)
             .eg("0.02 s");
-        k.group("sheltered", sheltered_keys,
-                "Part of the line in water that moves with the platform");
+        k.later("sheltered", "Part of the line in water that moves with the platform");
         k.only("model", "dynamic", {"quasi_static", "catenary", "linear_spring"},
                "How these lines respond");
         for (const char* name : {"pretension", "hang_off_angle", "adjust"}) {

@@ -117,9 +117,7 @@ struct Line {
     std::vector<Attachment> attachments;
     std::vector<LineConstraint> constraints;
     std::optional<double> time_step;  ///< upper bound of this line's rod step [s]
-    std::optional<double>
-        sheltered_above;   ///< height on the platform above which water moves with it [m]
-    double azimuth = 0.0;  ///< of the pattern, platform towards anchor [rad]
+    double azimuth = 0.0;             ///< of the pattern, platform towards anchor [rad]
 
     [[nodiscard]] double length() const {
         double sum = 0.0;

@@ -309,6 +309,7 @@ const Table& wind_area_keys() {
         k.number("centre_height", &WindArea::centre_height, length,
                  "Height of its centre above the reference point")
             .required()
+            .above(0)
             .eg("45 m");
         k.number("Cs", &WindArea::Cs, dimension::number, "Shape coefficient")
             .required()

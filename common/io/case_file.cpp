@@ -239,13 +239,25 @@ void locate(Problems& problems, const Places& places, const std::string& file) {
     }
 }
 
+/// Is `format` the first key of the file itself (what it includes is merged before it)?
+bool starts_with_format(const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty() || line[0] == '#' || line[0] == '%' || line.starts_with("---")) continue;
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        return line.starts_with("format");
+    }
+    return false;
+}
+
 void hydro_files(const Case& value, Problems& problems) {
     if (!value.platform || !value.platform->hydrodynamics.database) return;
     const Hydrodynamics& hydro = value.platform->hydrodynamics;
     const std::string& stem = hydro.database->path;
     if (stem.empty()) return;
     std::vector<std::string> endings{".1", ".hst"};
-    if (!value.environment.waves.empty()) endings.emplace_back(".3");
+    const bool haskind = !fs::is_regular_file(stem + ".3") && fs::is_regular_file(stem + ".2");
+    if (!value.environment.waves.empty() && !haskind) endings.emplace_back(".3");
     for (const std::string& ending : endings) {
         if (fs::is_regular_file(stem + ending)) continue;
         problems.push_back({Severity::error,
@@ -327,8 +339,7 @@ CaseFile read_case(const fs::path& path, const Overrides& overrides) {
         tidy(problems);
         throw InputError(std::move(problems));
     }
-    if (!root.entries.empty() && root.entries.front().key != "format" &&
-        root.find("format") != nullptr) {
+    if (root.find("format") != nullptr && !starts_with_format(*text)) {
         problems.push_back(problem_at(root.find("format")->place, "format",
                                       "is not the first key of the case", Severity::warning));
     }

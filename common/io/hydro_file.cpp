@@ -153,6 +153,8 @@ void decide_symmetry(Reading& r, const WaveTable<CVec6>& excitation, const Path&
 /// .3 (or .2, Haskind): PER BETA I mod phase Re Im.
 void read_excitation(Reading& r, HydroData& data) {
     Path file = r.file(".3");
+    if (!std::filesystem::exists(file) && !std::filesystem::exists(r.file(".2")))
+        return;  // still water needs none; with waves the check of the case has asked for it
     if (!std::filesystem::exists(file) && std::filesystem::exists(r.file(".2"))) {
         file = r.file(".2");
         r.notes.push_back(

@@ -37,6 +37,9 @@ struct SeriesField {
     }
 };
 
+/// A segment holds at most so many samples and snapshots.
+inline constexpr int segment_samples = 256;
+
 class SeriesWriter {
  public:
     /// Removes unfinished segments (*.h5.part) of an earlier run from `folder`.

@@ -250,7 +250,6 @@ TEST(CaseFile, FamiliesExpand) {
     EXPECT_EQ(t2.sections[0].elements, 20);             // without a count: 20 elements a line
     EXPECT_EQ(line(c, "m3").sections[0].elements, 20);  // 500 m in elements of 25 m
     EXPECT_FALSE(line(c, "r1").end_a.direction);        // static
-    EXPECT_EQ(*line(c, "r1").sheltered_above, -20.0);
     EXPECT_EQ(*line(c, "r1").time_step, 0.01);
 }
 

@@ -52,12 +52,12 @@ TEST(FailureMessage, NamesLineTimeStageResidualPlaceAndCause) {
                            .line = 1,
                            .arc_length = 583.0,
                            .t = 31.24,
-                           .residual = 2.1e3,
+                           .residual = 0.21,
                            .iterations = 30};
     const std::string text = failure_message(status, two_lines(), 3);
-    EXPECT_TRUE(
-        text.starts_with("scr_gas, t = 31.24 s, stage 3: Newton residual 2.1e+03 N after "
-                         "30 iterations, largest at s = 583 m; likely cause: "))
+    EXPECT_TRUE(text.starts_with(
+        "scr_gas, t = 31.24 s, stage 3: Newton's position correction is still 0.21 m after "
+        "30 iterations, largest at s = 583 m; likely cause: "))
         << text;
     EXPECT_EQ(text.find('\n'), std::string::npos);
     EXPECT_EQ(failure_message(status, two_lines(), 0).find("stage"), std::string::npos);

@@ -250,18 +250,5 @@ TEST(WaveLoads, AreContinuousInTime) {  // R:19: the old right end is the new le
     EXPECT_LT(steepest, 0.02 * amplitude);
 }
 
-TEST(Shelter, NoWavesAndNoCurrentAboveItsHeight) {
-    Case input = in_waves(4.0, 0.25);
-    input.environment.current = uniform(1.0);
-    input.line_types[0].drag_normal = 1.2;
-    input.lines[0].sheltered_above = -25.0;
-    const Sea sea(input.environment, 4.0, 0.0);
-    RodPack<Quad> rod(input, sea, {0});
-    ASSERT_TRUE(rod.equilibrium({}, true).ok());
-    ASSERT_TRUE(run(rod, 5, 0.5, [&](double) {
-                    EXPECT_NEAR(rod.force_on_support_a(0).x(), 0.0, 1e-6);
-                }).ok());
-}
-
 }  // namespace
 }  // namespace hawser::worker

@@ -1,5 +1,5 @@
 // Constraints along a rod: where they touch, what they add to an element, and the load they end
-// with (section 7 of the rod formulation, R:22).
+// with (R:22).
 #include <algorithm>
 #include <cmath>
 

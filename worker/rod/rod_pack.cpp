@@ -135,7 +135,6 @@ void RodPack<V>::set_properties(const Case& input) {
         T::set(line_step_, i,
                std::min(line.time_step.value_or(input.analysis.dynamics.line_step),
                         input.analysis.dynamics.line_step));
-        sheltered_above_.push_back(line.sheltered_above.value_or(1e30));
     }
     // not stable_sort: its buffer ignores the alignment of vector lanes
     std::sort(masses_.begin(), masses_.end(),

@@ -1,7 +1,7 @@
-// Up to four rods of equal layout, one per vector lane, advanced side by side: time steps (section
-// 5 of the rod formulation), passes of the paper's scheme (P:3), statics (section 9). Every lane
-// has its own step, Newton count and status; a lane that is done or has failed is frozen, so that a
-// rod's bits do not depend on its neighbours. No MPI, no files, no allocation in a step.
+// Up to four rods of equal layout, one per vector lane, advanced side by side: time steps (R:27 to
+// R:29), passes of the paper's scheme (P:3), statics. Every lane has its own step, Newton count and
+// status; a lane that is done or has failed is frozen, so that a rod's bits do not depend on its
+// neighbours. No MPI, no files, no allocation in a step.
 #pragma once
 
 #include <array>
@@ -61,7 +61,7 @@ struct WorkCount {
     double rod_time = 0.0;  ///< simulated time of all passes [s]
 };
 
-/// Tolerances of the Newton iterations (section 5.3); tests tighten them.
+/// Tolerances of the Newton iterations (README.md of worker, "Time"); tests tighten them.
 struct NewtonControl {
     double tolerance =
         0.005;  ///< largest nodal position correction that needs no further iteration [m]
@@ -189,6 +189,8 @@ class RodPack {
     void scatter_water(Water<V>* to);
 
     // statics.cpp
+    Status find_equilibrium(const PlatformMotion& pose, bool current);
+    void start_from(int lane, const std::vector<CatenaryNode>& nodes);
     void copy_idle_lanes();
     Mask guess_lane(int lane, const PlatformMotion& pose);
     Mask guess_under_tension(int lane, const LineConstraint& tensioner, const PlatformMotion& pose,
@@ -208,7 +210,6 @@ class RodPack {
     double ramp_ = 0.0, platform_step_ = 0.5, wave_step_ = 0.25;
     V line_step_{};
     Mask used_;
-    std::vector<double> sheltered_above_;
     std::vector<std::vector<double>> arc_length_;  ///< per lane, of the nodes from end B to A
 
     std::vector<ElementProperties<V>> properties_;
@@ -247,7 +248,6 @@ class RodPack {
     EndValues<V> end_a_, end_b_;
     Vector<V> reaction_a_, reaction_b_, moment_a_, moment_b_;
     V last_D_[7][7];  ///< node at end A before its elimination, for the static stiffness
-    V last_R_[7];
     ConstraintLoad<V> slope_load_a_, slope_load_b_, spring_load_a_;
     std::vector<double> xs_, ys_, zs_, ux_, uy_, uz_, ax_, ay_, az_, eta_;
     WorkCount work_;

@@ -118,7 +118,6 @@ void RodPack<V>::solve(V a0, V a1) {
     }
     if (static_) {
         for (int i = 0; i < 7; ++i) {
-            last_R_[i] = R[i];
             for (int k = 0; k <= i; ++k) last_D_[i][k] = last_D_[k][i] = D[i][k];
         }
     }

@@ -1,5 +1,5 @@
-// Everything a rod remembers between steps, for all lanes of a pack, in one contiguous block
-// (section 5.5 of the rod formulation). Saving for a stage and keeping are copies of it. Nodes are
+// Everything a rod remembers between steps, for all lanes of a pack, in one contiguous block.
+// Saving for a stage and keeping are copies of it. Nodes are
 // counted from end B (seabed) to end A (platform): the way the elimination runs.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Static start of a pack: catenary guess, Newton with a0 = a1 = 0, checks that reject false
-// equilibria (section 9 of the rod formulation).
+// equilibria.
 #include <algorithm>
 #include <cmath>
 
@@ -61,7 +61,7 @@ auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose) -> Mask {
     Mask found = LaneTraits<V>::none();
     if (!shape_found.found) return found;
     T::set(found, lane, true);
-    set_guess(lane, shape_found.nodes);
+    start_from(lane, shape_found.nodes);
     return found;
 }
 
@@ -88,7 +88,7 @@ auto RodPack<V>::guess_under_tension(int lane, const LineConstraint& tensioner,
         T += e.weight_wet * e.length + e.point_weight;
         nodes.push_back({.position = foot + stretch * s * u, .tangent = u, .tension = T});
     }
-    set_guess(lane, nodes);
+    start_from(lane, nodes);
     Mask found = LaneTraits<V>::none();
     LaneTraits<V>::set(found, lane, true);
     return found;
@@ -96,6 +96,12 @@ auto RodPack<V>::guess_under_tension(int lane, const LineConstraint& tensioner,
 
 template <class V>
 void RodPack<V>::set_guess(int lane, const std::vector<CatenaryNode>& nodes) {
+    start_from(lane, nodes);
+    LaneTraits<V>::set(guessed_, lane, true);
+}
+
+template <class V>
+void RodPack<V>::start_from(int lane, const std::vector<CatenaryNode>& nodes) {
     using T = LaneTraits<V>;
     double strongest = 1.0;
     for (const CatenaryNode& c : nodes) strongest = std::max(strongest, std::abs(c.tension));
@@ -116,7 +122,6 @@ void RodPack<V>::set_guess(int lane, const std::vector<CatenaryNode>& nodes) {
         if (n > 0)
             T::set(lambda[2 * n - 1].now, lane, raised(0.5 * (c.tension + nodes[n - 1].tension)));
     }
-    T::set(guessed_, lane, true);
 }
 
 template <class V>
@@ -162,6 +167,7 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wa
     }
     keep_constraints(solved, kept_);
     current_only(current);
+    if (!constraints_.empty()) place_constraints(kept_, V(0.0), V(0.0), still, true);
     solve(V(0.0), V(0.0));  // the stiffness of every lane at what it has found
     // What was found becomes the kept state of the lanes that were wanted.
     NodeState<V>* to = kept_.nodes();
@@ -230,6 +236,14 @@ void RodPack<V>::finish_statics(Mask good) {
 
 template <class V>
 Status RodPack<V>::equilibrium(const PlatformMotion& pose, bool current) {
+    const RodState<V> before = kept_;  // a failure leaves everything as it was
+    const Status status = find_equilibrium(pose, current);
+    if (!status.ok()) kept_ = before;
+    return status;
+}
+
+template <class V>
+Status RodPack<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
     const auto everything_of = [&](Mask done) { return used_ & !done; };
     if (!started_) {
         // The first solution is that of the design position in still water, from the catenary; axes
@@ -330,8 +344,10 @@ Status RodPack<V>::status_of(Mask bad, Status::Code code, double t) const {
 }
 
 template Status RodPack<Single>::equilibrium(const PlatformMotion&, bool);
+template void RodPack<Single>::set_guess(int, const std::vector<CatenaryNode>&);
 template Status RodPack<Single>::status_of(Single::Mask, Status::Code, double) const;
 template Status RodPack<Quad>::equilibrium(const PlatformMotion&, bool);
+template void RodPack<Quad>::set_guess(int, const std::vector<CatenaryNode>&);
 template Status RodPack<Quad>::status_of(Quad::Mask, Status::Code, double) const;
 
 }  // namespace hawser::worker

@@ -1,5 +1,4 @@
-// Time steps and passes of a pack: section 5 of the rod formulation, R:27 to R:29, with the step
-// control of 5.4.
+// Time steps and passes of a pack, R:27 to R:29, with the halving of steps that fail.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -146,6 +145,12 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
         accepted = accepted | converged;
         iterating = sound & !converged;
     }
+    // Where the guard of R:6 holds the tension back (twice the length) nothing has been solved.
+    V guarded(0.0);
+    for (std::size_t e = 0; e < properties_.size(); ++e)
+        guarded = max(guarded, material_[e].s * max(lambda_[2 * e],
+                                                    max(lambda_[2 * e + 1], lambda_[2 * e + 2])));
+    accepted = accepted & (guarded < V(0.5));
     head.force_a = select(accepted, force_a, head.force_a);
     head.force_b = select(accepted, force_b, head.force_b);
     head.moment_a = select(accepted, moment_a, head.moment_a);
@@ -197,8 +202,10 @@ Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
     }
     Status failed;
     while (any(active)) {
-        for (int i = 0; i < lanes; ++i) {
-            const Clock& c = clock[static_cast<std::size_t>(i)];
+        for (int i = 0; i < lanes; ++i) {  // an idle lane goes with the first
+            const Clock& c =
+                clock[static_cast<std::size_t>(i) < lines_.size() ? static_cast<std::size_t>(i)
+                                                                  : 0];
             const bool last = c.done + 1 >= c.steps;
             T::set(t_new, i, last ? t1 : c.base + (c.done + 1) * c.h);
             T::set(h, i, c.h);

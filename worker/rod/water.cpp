@@ -66,13 +66,11 @@ void RodPack<V>::scatter_water(Water<V>* to) {
             static_cast<std::size_t>(i) < lines_.size() ? static_cast<std::size_t>(i) : 0;
         for (std::size_t p = 0; p < points; ++p) {
             const std::size_t k = source * points + p;
-            // In the sheltered part the water stands still with the platform: no waves, no current.
-            const double open = zs_[k] > sheltered_above_[source] ? 0.0 : 1.0;
             Water<V>& w = to[p];
-            Lane::set(w.u.x, i, open * ux_[k]), Lane::set(w.u.y, i, open * uy_[k]);
-            Lane::set(w.u.z, i, open * uz_[k]), Lane::set(w.ud.x, i, open * ax_[k]);
-            Lane::set(w.ud.y, i, open * ay_[k]), Lane::set(w.ud.z, i, open * az_[k]);
-            Lane::set(w.eta, i, open * eta_[k]);
+            Lane::set(w.u.x, i, ux_[k]), Lane::set(w.u.y, i, uy_[k]);
+            Lane::set(w.u.z, i, uz_[k]), Lane::set(w.ud.x, i, ax_[k]);
+            Lane::set(w.ud.y, i, ay_[k]), Lane::set(w.ud.z, i, az_[k]);
+            Lane::set(w.eta, i, eta_[k]);
         }
     }
 }

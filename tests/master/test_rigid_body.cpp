@@ -86,6 +86,26 @@ TEST(EquationOfMotion, RefusesAPitchWhereEulerAnglesFail) {  // K:2
     }
 }
 
+TEST(EquationOfMotion, EndsTheRunOfAPlatformThatCapsizesInRoll) {
+    const Hull hull(top_case(), nullptr);
+    const auto rate_at = [&](double roll) {
+        State s = State::Zero();
+        set_motion(s, {.angles = {roll * M_PI / 180, 0, 0}});
+        HullLoads loads = hull.loads(12.5, s);
+        (void)hull.rate(12.5, s, loads, Vec6::Zero());
+    };
+    EXPECT_NO_THROW(rate_at(79));
+    try {
+        rate_at(81);
+        FAIL() << "81 deg of roll went through";
+    } catch (const RunError& e) {
+        EXPECT_EQ(e.code(), ExitCode::diverged);
+        EXPECT_NE(std::string(e.what()).find("capsized: its axis leans by 81.0 deg"),
+                  std::string::npos)
+            << e.what();
+    }
+}
+
 TEST(Pose, DisplacedByARotationVectorTurnsAboutTheWorldAxes) {
     const PlatformMotion pose{.position = {1, 2, 3}, .angles = {0.2, -0.3, 2 * M_PI + 0.4}};
     Vec6 step;

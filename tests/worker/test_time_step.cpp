@@ -245,5 +245,29 @@ TEST(TimeStep, PassesTakeTheFewestEqualSteps) {  // R:28
     EXPECT_DOUBLE_EQ(rod.work().rod_time, 3 * 0.5);
 }
 
+TEST(TimeStep, ALineStretchedSlowlyPastTwiceItsLengthFails) {
+    // Evenly stretched, no node needs a correction: only the guard of R:6 can tell.
+    LineEnd a = fixed_at({0, 0, -10}), b = fixed_at({-10.5, 0, -10});
+    EndMotion motion;
+    motion.amplitude = {15.0, 0, 0};
+    motion.period = {400.0, 1, 1};
+    a.motion = motion;
+    Case input = one_line(plain_type(1.0, 1e4), 10.0, 4, a, b);
+    input.analysis.dynamics.ramp = 0.0;
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    const PlatformMotion still;
+    double t = 0.0;
+    Status status;
+    for (; t < 100.0 && status.ok(); t += 0.5) {
+        status = rod.pass(t, t + 0.5, MotionSpline(t, still, t + 0.5, still));
+        if (status.ok()) rod.keep();
+    }
+    ASSERT_FALSE(status.ok());
+    const double stretched = 10.5 + 15.0 * std::sin(2 * M_PI * status.t / 400);
+    EXPECT_NEAR(stretched, 20.0, 0.2);  // one platform step moves the end by 0.12 m
+}
+
 }  // namespace
 }  // namespace hawser::worker

@@ -246,7 +246,8 @@ TEST(TimeStep, PassesTakeTheFewestEqualSteps) {  // R:28
 }
 
 TEST(TimeStep, ALineStretchedSlowlyPastTwiceItsLengthFails) {
-    // Evenly stretched, no node needs a correction: only the guard of R:6 can tell.
+    // Beyond s lambda = 0.5 (R:6) the stretch law has no solution left: Newton must not settle
+    // there.
     LineEnd a = fixed_at({0, 0, -10}), b = fixed_at({-10.5, 0, -10});
     EndMotion motion;
     motion.amplitude = {15.0, 0, 0};

@@ -145,12 +145,6 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
         accepted = accepted | converged;
         iterating = sound & !converged;
     }
-    // Where the guard of R:6 holds the tension back (twice the length) nothing has been solved.
-    V guarded(0.0);
-    for (std::size_t e = 0; e < properties_.size(); ++e)
-        guarded = max(guarded, material_[e].s * max(lambda_[2 * e],
-                                                    max(lambda_[2 * e + 1], lambda_[2 * e + 2])));
-    accepted = accepted & (guarded < V(0.5));
     head.force_a = select(accepted, force_a, head.force_a);
     head.force_b = select(accepted, force_b, head.force_b);
     head.moment_a = select(accepted, moment_a, head.moment_a);

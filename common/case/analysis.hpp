@@ -14,6 +14,10 @@ struct RodScheme {
     bool operator==(const RodScheme&) const = default;
 };
 
+/// dynamic: rods in motion. quasi_static: the same rods, speed and acceleration zero. catenary:
+/// elastic catenary between the ends.
+enum class LineModel { dynamic, quasi_static, catenary };
+
 enum class ForceFit { instantaneous, linear_fit, quadratic_fit };
 
 struct Statics {
@@ -35,6 +39,7 @@ struct Dynamics {
     double depth_filter = 1.0;     ///< wavelengths down to which a component is seen; 0: no filter
     RodScheme rod_scheme;
     ForceFit force = ForceFit::instantaneous;
+    LineModel line_model = LineModel::dynamic;
 
     bool operator==(const Dynamics&) const = default;
 };
@@ -42,6 +47,7 @@ struct Dynamics {
 struct Analysis {
     Statics statics;
     Dynamics dynamics;
+    int modes = 20;  ///< natural periods asked for
 
     bool operator==(const Analysis&) const = default;
 };

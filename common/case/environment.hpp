@@ -19,6 +19,10 @@ struct Seabed {
     double depth = 0.0;               ///< still-water depth at the origin [m]
     double normal_stiffness = 100e3;  ///< force per length of line and penetration [N/m2]
     double damping = 10e3;            ///< force per length of line and normal speed [N.s/m2]
+    double slope_angle = 0.0;         ///< [rad]; the bed passes through z = -depth at the origin
+    double slope_direction = 0.0;     ///< heading in which the bed rises [rad]
+    double friction_axial = 0.3, friction_lateral = 0.5;  ///< Coulomb coefficients, R:34
+    double friction_mobilisation = 0.05;                  ///< slide that mobilises them [m]
 
     bool operator==(const Seabed&) const = default;
 };

@@ -52,6 +52,10 @@ void RodPack<V>::set_constraints(const Case& input) {
                                   .mobilisation = gather(&C::mobilisation),
                                   .smoothing = V(contact_smoothing)};
                 break;
+            case ConstraintType::ball_joint:
+            case ConstraintType::flex_joint:
+            case ConstraintType::clamp:
+            case ConstraintType::pull_tube:
             case ConstraintType::slider:
                 to.law =
                     Slider<V>{.stiffness = gather(&C::stiffness), .damping = gather(&C::damping)};

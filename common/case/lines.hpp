@@ -65,11 +65,11 @@ struct LineType {
 };
 
 struct Section {
-    int type = 0;          ///< index into Case::line_types
-    int type_at_end = -1;  ///< taper: properties run linearly to this type's; -1: uniform
-    double length = 0.0;   ///< unstretched [m]
+    int type = 0;         ///< index into Case::line_types
+    double length = 0.0;  ///< unstretched [m]
     int elements = 0;
-    double growth = 1.0;  ///< ratio of neighbouring elements, from end A
+    double growth = 1.0;   ///< ratio of neighbouring elements, from end A
+    int type_at_end = -1;  ///< taper: properties run linearly to this type's; -1: uniform
 
     bool operator==(const Section&) const = default;
 };

@@ -36,7 +36,7 @@ struct PipeWall {
     double concentration = 1.0;                         ///< factor on bending and axial stress
     double thickness_factor = 1.0;  ///< of the wall left for stresses (corrosion)
     double poisson = 0.3;
-    std::optional<double> yield;  ///< [Pa]
+    std::optional<double> yield = {};  ///< [Pa]
 
     bool operator==(const PipeWall&) const = default;
 };
@@ -51,15 +51,15 @@ struct LineType {
     double EA = 0.0;              ///< [N]; EA_dynamic where there is a viscoelastic law
     Curve EA_curve;               ///< strain [-], tension [N]; empty: EA alone
     double EI = 0.0;              ///< [N.m2]
-    std::optional<Viscoelastic> viscoelastic;
-    std::optional<double> damping_ratio;  ///< of critical in the line's first axial mode, R:5
-    std::optional<double> axial_damping;  ///< EA_damp [N.s], instead of damping_ratio
-    double bending_damping = 0.0;         ///< [N.m2.s]
-    double drag_diameter = 0.0;           ///< both drag coefficients refer to it [m]
+    std::optional<Viscoelastic> viscoelastic = {};
+    std::optional<double> damping_ratio = {};  ///< of critical in the line's first axial mode, R:5
+    std::optional<double> axial_damping = {};  ///< EA_damp [N.s], instead of damping_ratio
+    double bending_damping = 0.0;              ///< [N.m2.s]
+    double drag_diameter = 0.0;                ///< both drag coefficients refer to it [m]
     double drag_normal = 0.0, drag_axial = 0.0;
     double added_mass_normal = 1.0, added_mass_axial = 0.0;  ///< on displaced_area
-    std::optional<double> breaking_load;                     ///< [N]; only for utilisation
-    std::optional<PipeWall> wall;                            ///< pipes
+    std::optional<double> breaking_load = {};                ///< [N]; only for utilisation
+    std::optional<PipeWall> wall = {};                       ///< pipes
 
     bool operator==(const LineType&) const = default;
 };
@@ -93,12 +93,13 @@ struct LineEnd {
     Vec3 position = Vec3::Zero();  ///< platform: platform axes; anchor, fixed: world [m]
     Joint joint = Joint::ball;
     double rotational_stiffness = 0.0;  ///< flex joint [N.m/rad]
-    Curve rotational_curve;  ///< flex joint: angle [rad], moment [N.m], instead of the stiffness
+    Curve rotational_curve =
+        {};  ///< flex joint: angle [rad], moment [N.m], instead of the stiffness
     double spring_stiffness = 0.0, spring_damping = 0.0;  ///< spring [N/m, N.s/m]
     double spring_length = 0.0;                           ///< unstressed [m]
-    std::optional<Vec3> direction;    ///< flex, clamped: unit axis along increasing arc length
-                                      ///< (same axes as position); empty: the static tangent
-    std::optional<EndMotion> motion;  ///< fixed ends
+    std::optional<Vec3> direction = {};    ///< flex, clamped: unit axis along increasing arc length
+                                           ///< (same axes as position); empty: the static tangent
+    std::optional<EndMotion> motion = {};  ///< fixed ends
 
     bool operator==(const LineEnd&) const = default;
 };
@@ -134,21 +135,22 @@ struct LineConstraint {
     int other_line = -1;                      ///< slider: index of the line it joins; -1: none
     Vec3 position = Vec3::Zero();             ///< platform axes, or world [m]
     Vec3 axis = Vec3::UnitZ();                ///< unit, same axes
-    std::optional<double> arc_length;         ///< material point held; empty: what passes the place
+    std::optional<double> arc_length = {};    ///< material point held; empty: what passes the place
     double stiffness = 0.0, damping = 0.0;    ///< [N/m, N.s/m]
     double gap = 0.0;                         ///< guide, pull tube, slider: radial [m]
     double friction = 0.0;                    ///< guide, pull tube: Coulomb coefficient along axis
     double mobilisation = 0.01;               ///< slide that mobilises friction [m]
     double rotational_stiffness = 0.0;        ///< flex joint [N.m/rad]
-    Curve rotational_curve;                   ///< flex joint: angle [rad], moment [N.m]
-    std::optional<Vec3> direction;            ///< flex joint, clamp: axis; empty: static tangent
+    Curve rotational_curve = {};              ///< flex joint: angle [rad], moment [N.m]
+    std::optional<Vec3> direction = {};       ///< flex joint, clamp: axis; empty: static tangent
     double nominal_tension = 0.0;             ///< tensioner: at stroke 0 [N]
     double exponent = 0.0, gas_column = 0.0;  ///< tensioner: gas law n [-], L [m]; n = 0: linear
-    Curve pull;                               ///< tensioner: stroke [m], tension [N], table law
+    Curve pull = {};                          ///< tensioner: stroke [m], tension [N], table law
     double friction_force = 0.0;              ///< tensioner: Coulomb friction of the rams [N]
-    std::vector<Vec3> cylinders;  ///< tensioner: their points on the platform; empty: one on axis
+    std::vector<Vec3> cylinders =
+        {};  ///< tensioner: their points on the platform; empty: one on axis
     double stroke_min = -1e9, stroke_max = 1e9;  ///< tensioner [m]
-    std::vector<Vec3> path;                      ///< pull tube: its points, same axes
+    std::vector<Vec3> path = {};                 ///< pull tube: its points, same axes
 
     bool operator==(const LineConstraint&) const = default;
 };
@@ -157,9 +159,9 @@ struct LineConstraint {
 struct StaticTarget {
     enum class Adjust { none, anchor_radius, section_length };
     Adjust adjust = Adjust::none;
-    int section = 0;                       ///< whose length is adjusted
-    std::optional<double> pretension;      ///< effective tension at end A [N]
-    std::optional<double> hang_off_angle;  ///< declination at end A [rad]
+    int section = 0;                            ///< whose length is adjusted
+    std::optional<double> pretension = {};      ///< effective tension at end A [N]
+    std::optional<double> hang_off_angle = {};  ///< declination at end A [rad]
     /// neither: the nominal tension of the line's tensioner at stroke 0
 
     bool operator==(const StaticTarget&) const = default;
@@ -175,7 +177,7 @@ struct LineFailure {
 
 /// Line paid out (or, negative, taken in) at end A against time.
 struct Winch {
-    Curve paid_out;  ///< time [s], length [m]
+    Curve paid_out = {};  ///< time [s], length [m]
 
     bool operator==(const Winch&) const = default;
 };
@@ -186,15 +188,15 @@ struct Line {
     std::vector<Section> sections;  ///< from end A
     std::vector<Attachment> attachments;
     std::vector<LineConstraint> constraints;
-    std::optional<double> time_step;        ///< upper bound of this line's rod step [s]
-    double azimuth = 0.0;                   ///< of the pattern, platform towards anchor [rad]
-    std::optional<LineModel> model;         ///< instead of analysis.dynamics.line_model
-    std::optional<double> sheltered_above;  ///< height on the platform above which the water moves
-                                            ///< with it [m]
-    double internal_pressure = 0.0;         ///< at end A [Pa], beside the head of the contents
+    std::optional<double> time_step = {};        ///< upper bound of this line's rod step [s]
+    double azimuth = 0.0;                        ///< of the pattern, platform towards anchor [rad]
+    std::optional<LineModel> model = {};         ///< instead of analysis.dynamics.line_model
+    std::optional<double> sheltered_above = {};  ///< height on the platform above which the water
+                                                 ///< moves with it [m]
+    double internal_pressure = 0.0;  ///< at end A [Pa], beside the head of the contents
     StaticTarget target;
-    std::optional<LineFailure> fail;
-    std::optional<Winch> winch;
+    std::optional<LineFailure> fail = {};
+    std::optional<Winch> winch = {};
 
     [[nodiscard]] double length() const {
         double sum = 0.0;

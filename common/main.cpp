@@ -11,9 +11,11 @@
 #include "io/case_file.hpp"
 #include "io/check_command.hpp"
 #include "io/command_line.hpp"
+#include "io/files.hpp"
 #include "io/hdf5.hpp"
 #include "io/link.hpp"
 #include "io/run_folder.hpp"
+#include "io/statics_text.hpp"
 #include "roles.hpp"
 #include "stop_signal.hpp"
 
@@ -63,6 +65,22 @@ class SharedCase {
     std::string name_, data_folder_;
 };
 
+/// `hawser statics` and `hawser check --statics`: one process, for it takes seconds.
+int statics(const io::CommandLine& line) {
+    const bool brief = line.command == io::CommandLine::Command::check;
+    const io::CaseFile file = io::read_and_check(line.case_file, line.overrides);
+    for (const std::string& note : file.notes) std::fprintf(stderr, "%s\n", note.c_str());
+    const StaticsReport report = find_statics(file.value, line.statics);
+    for (const std::string& warning : report.warnings) complain("warning: " + warning);
+    const std::string text = brief       ? io::statics_summary(file.value, report)
+                             : line.json ? io::statics_json(file.value, report)
+                                         : io::statics_text(file.value, report);
+    std::fputs(text.c_str(), stdout);
+    if (!line.output_file.empty())
+        io::write_atomically(line.output_file, io::statics_csv(file.value, report));
+    return static_cast<int>(ExitCode::done);
+}
+
 ExitCode run(const io::CommandLine& line, io::Link& link) {
     SharedCase shared;
     shared.request.force = line.force;
@@ -108,8 +126,12 @@ int main(int argc, char** argv) {
         }
         if (!speaks && (line.command != Command::run || line.dry_run)) return 0;
         switch (line.command) {
-            case Command::check:
-                return io::check_command(line);
+            case Command::check: {
+                const int checked = io::check_command(line);
+                return checked == 0 && line.with_statics ? statics(line) : checked;
+            }
+            case Command::statics:
+                return statics(line);
             case Command::schema:
                 return io::schema_command(line);
             case Command::none:

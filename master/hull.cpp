@@ -222,6 +222,13 @@ Mat6 Hull::static_stiffness(const PlatformMotion& pose, const Statics& which) co
     return K;
 }
 
+Mat6 Hull::static_mass(const PlatformMotion& pose) const {
+    const Mat3 R = rotation(pose.angles);
+    const HullLoads wet = loads(0.0, start(pose, pose));
+    return mass_matrix(turned(body_, R)) + turned(radiation_.added_mass, R) +
+           wet.member_added_mass + wet.plate_added_mass;
+}
+
 State Hull::start(const PlatformMotion& equilibrium, const PlatformMotion& with_initial) const {
     State s = State::Zero();
     set_motion(s, with_initial);

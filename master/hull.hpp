@@ -89,6 +89,9 @@ class Hull {
     /// -d(static_load)/d(position, rotation vector) [N/m ...], by central differences.
     [[nodiscard]] Mat6 static_stiffness(const PlatformMotion& pose, const Statics& which) const;
 
+    /// Mass with all added mass that is wet at rest, about O on world axes [kg, kg.m, kg.m2].
+    [[nodiscard]] Mat6 static_mass(const PlatformMotion& pose) const;
+
     /// State of the start: motion as given, the filter K:8 at rest at the equilibrium.
     [[nodiscard]] State start(const PlatformMotion& equilibrium,
                               const PlatformMotion& with_initial) const;

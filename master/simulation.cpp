@@ -119,15 +119,20 @@ void Simulation::keep_platform_facts(const StaticStart& start) {
         platform_facts_.push_back({"vertical_line_load", "N",
                                    "pull of the lines at the design position",
                                    start.vertical_line_load});
+    const Stability& stands = start.stability;
+    if (hull_->acting_buoyancy() > 0.0) {
+        platform_facts_.push_back({"hull_GM_roll", "m",
+                                   "GM of the hull alone (weight and buoyancy), roll",
+                                   stands.hull_GM_roll});
+        platform_facts_.push_back({"hull_GM_pitch", "m",
+                                   "GM of the hull alone (weight and buoyancy), pitch",
+                                   stands.hull_GM_pitch});
+    }
     const double frequency = hull_->radiation().frequency;
     if (frequency > 0.0)
         platform_facts_.push_back({"added_mass_frequency", "rad/s",
                                    "constant added mass and damping taken at", frequency});
-    const Mat3 R = rotation(start.equilibrium.angles);
-    const HullLoads loads = hull_->loads(0.0, hull_->start(start.equilibrium, start.equilibrium));
-    const Mat6 M = mass_matrix(turned(hull_->body(), R)) +
-                   turned(hull_->radiation().added_mass, R) + loads.member_added_mass +
-                   loads.plate_added_mass;
+    const Mat6 M = hull_->static_mass(start.equilibrium);
     const char* springs = input_.lines.empty() ? "" : ", static stiffness of lines";
     const auto periods = natural_periods(start.stiffness, M);
     for (std::size_t i = 0; i < periods.size(); ++i)

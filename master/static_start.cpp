@@ -8,6 +8,7 @@
 #include "equilibrium.hpp"
 #include "failure_message.hpp"
 #include "paper_rate.hpp"
+#include "stability.hpp"
 
 namespace hawser::master {
 
@@ -56,6 +57,9 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
     out.iterations = rest.iterations;
     out.stiffness = body.stiffness(rest.pose);
     for (const LineLoad& line : rest.lines.lines) out.stiffness += line.stiffness;
+    out.stability = stability_of(hull, g, out.stiffness, body.length);
+    for (std::string& warning : stability_warnings(out.stability, platform.name))
+        out.notes.push_back(std::move(warning));
     out.start.position += platform.initial.position;
     out.start.angles += platform.initial.angles;
     out.lines = std::move(rest.lines);

@@ -8,6 +8,7 @@
 #include "case/case.hpp"
 #include "hull.hpp"
 #include "lines.hpp"
+#include "statics_report.hpp"
 
 namespace hawser::master {
 
@@ -17,6 +18,7 @@ struct StaticStart {
     Reply lines;                      ///< static loads at `start`
     Mat6 stiffness = Mat6::Zero();    ///< of platform and lines at the equilibrium, about O
     double vertical_line_load = 0.0;  ///< at the design position in still water, downwards [N]
+    Stability stability;              ///< at the equilibrium
     int iterations = 0;
     std::vector<std::string> notes;  ///< warnings
 };

@@ -1,8 +1,10 @@
 #include "local_lines.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "packing.hpp"
+#include "rod/at_rest.hpp"
 #include "roles.hpp"
 
 namespace hawser {
@@ -10,7 +12,8 @@ namespace hawser {
 namespace worker {
 
 LocalLines::LocalLines(const Case& input, const std::vector<int>& packs, io::SeriesWriter* results)
-    : sea_(input.environment, input.analysis.dynamics.ramp, input.analysis.dynamics.depth_filter,
+    : input_(&input),
+      sea_(input.environment, input.analysis.dynamics.ramp, input.analysis.dynamics.depth_filter,
            !input.analysis.statics.current) {
     const std::vector<Pack> all = packs_of(input);
     std::vector<int> lines;
@@ -57,6 +60,14 @@ const Reply& LocalLines::receive() {
     return reply_;
 }
 
+std::vector<LineAtRest> LocalLines::at_rest() const {
+    std::vector<LineAtRest> out(reply_.lines.size());
+    for (std::size_t p = 0; p < packs_.size(); ++p)
+        for (std::size_t i = 0; i < place_[p].size(); ++i)
+            out[place_[p][i]] = worker::at_rest(packs_[p], static_cast<int>(i), *input_);
+    return out;
+}
+
 void LocalLines::take_status(const Status& status) {
     if (status.ok()) return;
     if (reply_.status.ok() || status.line < reply_.status.line) reply_.status = status;
@@ -67,6 +78,12 @@ void LocalLines::take_status(const Status& status) {
 std::unique_ptr<Lines> make_local_lines(const Case& input, const std::vector<int>& packs,
                                         io::SeriesWriter* results) {
     return std::make_unique<worker::LocalLines>(input, packs, results);
+}
+
+std::unique_ptr<RestingLines> make_resting_lines(const Case& input) {
+    std::vector<int> all(packs_of(input).size());
+    std::iota(all.begin(), all.end(), 0);
+    return std::make_unique<worker::LocalLines>(input, all, nullptr);
 }
 
 }  // namespace hawser

@@ -6,18 +6,19 @@
 #include "case/case.hpp"
 #include "environment/sea.hpp"
 #include "line_samples.hpp"
-#include "lines.hpp"
+#include "resting_lines.hpp"
 #include "rod/rod_pack.hpp"
 
 namespace hawser::worker {
 
-class LocalLines final : public Lines {
+class LocalLines final : public RestingLines {
  public:
     /// @param packs  indices into packs_of(input)
     LocalLines(const Case& input, const std::vector<int>& packs, io::SeriesWriter* results);
 
     void send(const Order& order) override;
     const Reply& receive() override;
+    [[nodiscard]] std::vector<LineAtRest> at_rest() const override;
 
     [[nodiscard]] const std::vector<RodPack<Quad>>& packs() const { return packs_; }
     std::vector<RodPack<Quad>>& packs() { return packs_; }
@@ -25,6 +26,7 @@ class LocalLines final : public Lines {
  private:
     void take_status(const Status& status);
 
+    const Case* input_;
     Sea sea_;
     std::vector<RodPack<Quad>> packs_;
     LineSamples samples_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -15,7 +16,8 @@ constexpr const char* exit_codes =
 
 /// What the options are read into before it is known that all is well.
 struct Options {
-    std::string case_file, out, output_file, duration, seed;
+    std::string case_file, out, output_file, duration, seed, offset;
+    double heading = 0.0;
     std::vector<std::string> sets;
 };
 
@@ -64,6 +66,61 @@ void add_run(CLI::App& app, Options& options, CommandLine& line) {
     run.footer(exit_codes);
 }
 
+void add_statics(CLI::App& app, Options& options, CommandLine& line) {
+    CLI::App& statics = *app.add_subcommand(
+        "statics",
+        "Find the equilibrium that starts a run: where the platform rests, its stiffness and "
+        "stability, tensions and angles of every line. With --offset also the restoring curve.");
+    add_case(statics, options);
+    statics
+        .add_option("--offset", options.offset,
+                    "Restoring curve: hold the platform at these offsets, FROM:TO:STEP or a list "
+                    "of metres, in still water")
+        ->type_name("0:60:5");
+    statics
+        .add_option("--heading", options.heading,
+                    "Direction of the offsets, counter-clockwise from +x (default 0)")
+        ->type_name("DEG");
+    statics
+        .add_option("--lines", line.statics.lines,
+                    "Lines that the curve sums, e.g. \"ml*\" (default all)")
+        ->type_name("GLOB");
+    statics.add_flag("--json", line.json, "Print everything as JSON: SI, angles in degrees");
+    statics
+        .add_option("-o,--output", options.output_file,
+                    "Write CSV to this file: the curve, or without --offset one row per line")
+        ->type_name("FILE");
+    statics.callback([&line] { line.command = CommandLine::Command::statics; });
+    statics.footer(
+        "Exit codes: 0 found; 3 not valid; 4 no static equilibrium; 2 wrong command "
+        "line; 6 input or output failure.");
+}
+
+/// "from:to:step" or "a,b,c"; false if it is neither.
+bool read_offsets(const std::string& text, std::vector<double>& out) {
+    std::vector<double> numbers;
+    const char separator = text.find(':') != std::string::npos ? ':' : ',';
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, separator);) {
+        std::size_t used = 0;
+        try {
+            numbers.push_back(std::stod(word, &used));
+        } catch (const std::exception&) {
+            return false;
+        }
+        if (used != word.size() || !std::isfinite(numbers.back())) return false;
+    }
+    if (separator == ',') {
+        out = numbers;
+        return !numbers.empty();
+    }
+    if (numbers.size() != 3 || numbers[2] == 0.0) return false;
+    const double n = std::floor((numbers[1] - numbers[0]) / numbers[2] + 1e-9);
+    if (!(n >= 0.0 && n <= 1000.0)) return false;
+    for (int i = 0; i <= static_cast<int>(n); ++i) out.push_back(numbers[0] + i * numbers[2]);
+    return true;
+}
+
 void add_others(CLI::App& app, Options& options, CommandLine& line) {
     CLI::App& check = *app.add_subcommand(
         "check",
@@ -73,8 +130,12 @@ void add_others(CLI::App& app, Options& options, CommandLine& line) {
     check.add_flag("--echo", line.echo,
                    "Print the resolved case: one file with every default filled in");
     check.add_flag("--json", line.json, "Print the problems as JSON");
+    check.add_flag("--statics", line.with_statics,
+                   "Solve the statics of every line and the platform too, and print a summary");
     check.callback([&line] { line.command = CommandLine::Command::check; });
-    check.footer("Exit codes: 0 valid; 3 not valid; 2 wrong command line; 6 no such file.");
+    check.footer(
+        "Exit codes: 0 valid; 3 not valid; 4 no static equilibrium; 2 wrong command line; 6 no "
+        "such file.");
 
     CLI::App& schema = *app.add_subcommand(
         "schema", "Print the JSON Schema of case files, for editors that complete and check keys.");
@@ -118,6 +179,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     app.require_subcommand(1);
     app.footer(std::string("hawser COMMAND --help tells the options of each.\n") + exit_codes);
     add_run(app, options, line);
+    add_statics(app, options, line);
     add_others(app, options, line);
     try {
         app.parse(argc, argv);
@@ -129,7 +191,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
         const std::string first = argc > 1 ? argv[1] : "";
         if (code != 0 && !first.empty() && first[0] != '-' && app.get_subcommands().empty()) {
             line.message = fmt::format(
-                "unknown command \"{}\"; the commands are run, check, schema, version\n", first);
+                "unknown command \"{}\"; the commands are run, check, statics, schema, version\n",
+                first);
         }
         return line;
     }
@@ -143,6 +206,14 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
             "--set {}: expected path=value, e.g. --set "
             "environment.waves[0].Hs=\"12 m\"\n",
             set);
+        return line;
+    }
+    line.statics.heading = options.heading * M_PI / 180.0;
+    if (!options.offset.empty() && !read_offsets(options.offset, line.statics.offsets)) {
+        line.finished = ExitCode::command_line;
+        line.message = fmt::format(
+            "--offset {}: expected FROM:TO:STEP or a list in metres, e.g. --offset 0:60:5\n",
+            options.offset);
         return line;
     }
     if (!options.duration.empty()) {

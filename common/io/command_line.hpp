@@ -8,15 +8,16 @@
 #include <vector>
 
 #include "roles.hpp"
+#include "statics_report.hpp"
 #include "status.hpp"
 
 namespace hawser::io {
 
 struct CommandLine {
-    enum class Command { none, run, check, schema, version };
+    enum class Command { none, run, check, statics, schema, version };
     Command command = Command::none;
 
-    std::filesystem::path case_file;  ///< run, check
+    std::filesystem::path case_file;  ///< run, check, statics
     std::vector<std::pair<std::string, std::string>>
         overrides;  ///< --set, --duration, --seed: key path and value, in this order
 
@@ -26,9 +27,12 @@ struct CommandLine {
     ProgressStyle progress = ProgressStyle::automatic;
     bool quiet = false;
 
-    bool echo = false, json = false;    ///< check
+    bool echo = false;                  ///< check
+    bool with_statics = false;          ///< check
+    bool json = false;                  ///< check, statics
+    StaticsRequest statics;             ///< statics: the restoring curve
     bool reference = false;             ///< schema
-    std::filesystem::path output_file;  ///< schema: empty, so standard output
+    std::filesystem::path output_file;  ///< schema: empty, so standard output; statics: CSV
 
     std::string text;  ///< the whole command, for the result's attributes
 

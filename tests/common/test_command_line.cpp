@@ -41,6 +41,15 @@ TEST(CommandLine, OtherCommandsTakeTheirs) {
     EXPECT_EQ(schema.command, CommandLine::Command::schema);
     EXPECT_TRUE(schema.reference);
     EXPECT_EQ(schema.output_file, "r.yml");
+    const CommandLine statics = parse({"statics", "a.yml", "--offset", "0:10:2.5", "--heading",
+                                       "90", "--lines", "ml*", "-o", "c.csv"});
+    EXPECT_EQ(statics.command, CommandLine::Command::statics);
+    EXPECT_EQ(statics.statics.offsets, (std::vector<double>{0, 2.5, 5, 7.5, 10}));
+    EXPECT_DOUBLE_EQ(statics.statics.heading, M_PI / 2);
+    EXPECT_EQ(statics.statics.lines, "ml*");
+    EXPECT_EQ(parse({"statics", "a.yml", "--offset", "-5,0,5"}).statics.offsets,
+              (std::vector<double>{-5, 0, 5}));
+    EXPECT_TRUE(parse({"check", "a.yml", "--statics"}).with_statics);
     EXPECT_EQ(parse({"version"}).command, CommandLine::Command::version);
 }
 
@@ -56,6 +65,9 @@ TEST(CommandLine, WrongOnesEndWithCodeTwo) {
         {"run", "a.yml", "--set"},
         {"check", "a.yml", "--out", "x"},
         {"version", "x"},
+        {"statics", "a.yml", "--offset", "0:10"},
+        {"statics", "a.yml", "--offset", "0:10:-1"},
+        {"statics", "a.yml", "--offset", "five"},
     };
     for (const auto& words : wrong) {
         const CommandLine line = parse(words);

@@ -1,0 +1,217 @@
+#include "io/statics_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "io/summary.hpp"
+#include "io/text_table.hpp"
+
+namespace hawser::io {
+namespace {
+
+constexpr double degrees = 180.0 / M_PI;
+constexpr std::array<const char*, 6> motions = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+
+std::string fact(const std::string& what, const std::string& value) {
+    return fmt::format("{:<58} {}\n", what, value);
+}
+
+std::string environment_text(const Environment& e) {
+    std::string out = title("Environment");
+    out += fact("water depth", number(e.seabed.depth, 1) + " m");
+    for (const WaveTrain& w : e.waves) {
+        if (w.type == WaveType::airy) {
+            out += fact("regular wave", fmt::format("H {:g} m, T {:g} s", w.H, w.T));
+            continue;
+        }
+        out += fact("waves", fmt::format("Hs {:g} m, Tp {:g} s, towards {:g} deg", w.Hs, w.Tp,
+                                         degrees * w.heading));
+        // Rayleigh crests: most probable greatest of N = duration/Tz, Tz = 0.75 Tp, in 3 h
+        const double crest = 0.5 * w.Hs * std::sqrt(0.5 * std::log(3.0 * 3600.0 / (0.75 * w.Tp)));
+        out += fact("greatest crest to be expected in 3 h (linear)", number(crest, 1) + " m");
+    }
+    if (e.current && !e.current->profile.empty())
+        out += fact("current at the surface",
+                    fmt::format("{:g} m/s, towards {:g} deg", e.current->profile.front().speed,
+                                degrees * e.current->heading));
+    if (e.wind)
+        out += fact("wind", fmt::format("{:g} m/s at {:g} m, towards {:g} deg", e.wind->speed,
+                                        e.wind->reference_height, degrees * e.wind->heading));
+    return out;
+}
+
+std::string platform_text(const Case& input, const PlatformAtRest& p) {
+    std::string out = title("Platform " + p.name);
+    out += fact(p.mass_is_auto ? "mass (auto: floats at its design draft)" : "mass",
+                number(p.mass / 1e3, 0) + " t");
+    out += fact("acting buoyancy", number(p.acting_buoyancy / 1e3, 0) + " kN");
+    if (input.platform->displacement)
+        out += fact("displacement as given", number(*input.platform->displacement / 1e3, 0) + " t");
+    if (!input.lines.empty())
+        out += fact("vertical line load, design position in still water",
+                    number(p.vertical_line_load / 1e3, 0) + " kN");
+    const Stability& s = p.stability;
+    if (p.acting_buoyancy > 0.0) {
+        out += fact("GM of the hull alone (weight and buoyancy), roll / pitch",
+                    number(s.hull_GM_roll, 2) + " / " + number(s.hull_GM_pitch, 2) + " m");
+        out += fact("stiffness of hull and lines over buoyancy, roll / pitch",
+                    number(s.GM_roll, 2) + " / " + number(s.GM_pitch, 2) + " m");
+    }
+    std::string stands = s.stable() ? "stable: no negative stiffness" : "NOT STABLE in";
+    for (const std::string& motion : s.unstable) stands += " " + motion;
+    if (!s.unheld.empty()) stands += "; nothing holds it in";
+    for (const std::string& motion : s.unheld) stands += " " + motion;
+    out += fact("equilibrium", stands);
+    std::string periods;
+    for (std::size_t i = 0; i < 6; ++i)
+        if (p.periods[i])
+            periods +=
+                fmt::format("{}{} {:.2f}", periods.empty() ? "" : ", ", motions[i], *p.periods[i]);
+    if (!periods.empty()) out += fact("natural periods", periods + " s");
+    if (p.added_mass_frequency > 0.0)
+        out += fact("added mass taken at", number(p.added_mass_frequency, 4) + " rad/s");
+    const Vec3 x = p.position.position, q = degrees * p.position.angles;
+    out += fact("rests at surge, sway, heave",
+                number(x[0], 3) + ", " + number(x[1], 3) + ", " + number(x[2], 3) + " m");
+    out += fact("         roll, pitch, yaw",
+                number(q[0], 3) + ", " + number(q[1], 3) + ", " + number(q[2], 3) + " deg");
+    return out;
+}
+
+std::string stiffness_text(const std::string& name, const Mat6& K) {
+    std::string out = title(name + " about the reference point: -d(load)/d(motion)");
+    TextTable table;
+    table.column("force, moment along");
+    for (std::size_t i = 0; i < 6; ++i) table.column(motions[i], i < 3 ? "per m" : "per rad");
+    for (int i = 0; i < 6; ++i) {
+        std::vector<std::string> cells{
+            fmt::format("{} {}", motions[static_cast<std::size_t>(i)], i < 3 ? "[N]" : "[N.m]")};
+        for (int k = 0; k < 6; ++k) {
+            const double least = 1e-9 * std::sqrt(std::abs(K(i, i) * K(k, k)));
+            cells.push_back(digits(std::abs(K(i, k)) < least ? 0.0 : K(i, k), 4));
+        }
+        table.row(cells);
+    }
+    return out + table.text();
+}
+
+std::string lines_text(const Case& input, const StaticsReport& report, bool brief) {
+    if (input.lines.empty()) return "";
+    std::string out = title("Lines");
+    TextTable table;
+    table.column("line");
+    table.column("length", "m");
+    table.column("submerged", "kN");
+    table.column("tension A", "kN");
+    table.column("tension B", "kN");
+    table.column("decl. A", "deg");
+    table.column("decl. B", "deg");
+    if (!brief) table.column("azimuth", "deg");
+    table.column("grounded", "m");
+    if (!brief) {
+        table.column("touchdown", "m");
+        table.column("lowest", "kN");
+        table.column("at", "m");
+    }
+    for (std::size_t i = 0; i < input.lines.size(); ++i) {
+        const Line& line = input.lines[i];
+        const LineAtRest& r = report.lines[i];
+        std::vector<std::string> cells{line.name,
+                                       number(line.length(), 1),
+                                       number(submerged_weight(line, input) / 1e3, 1),
+                                       number(r.tension_a / 1e3, 1),
+                                       number(r.tension_b / 1e3, 1),
+                                       number(degrees * r.declination_a, 2),
+                                       number(degrees * r.declination_b, 2)};
+        if (!brief) cells.push_back(number(degrees * r.azimuth_a, 1));
+        cells.push_back(number(r.grounded, 1));
+        if (!brief)
+            for (const auto& cell : {number(r.touchdown, 1), number(r.lowest_tension / 1e3, 1),
+                                     number(r.lowest_at, 1)})
+                cells.push_back(cell);
+        table.row(cells);
+    }
+    out += table.text();
+    return out +
+           "submerged: weight in water. decl.: angle from vertical down of the line as it leaves "
+           "end A and arrives at end B.\n" +
+           (brief ? ""
+                  : "azimuth: of the line as it leaves end A. touchdown, at: arc length from end "
+                    "A. lowest: least effective tension.\n");
+}
+
+std::string constraints_text(const Case& input, const StaticsReport& report) {
+    TextTable table;
+    table.column("constraint");
+    table.column("kind");
+    table.column("tension, force", "kN");
+    table.column("stroke, gap left", "m");
+    bool any = false;
+    for (std::size_t i = 0; i < input.lines.size(); ++i) {
+        for (std::size_t c = 0; c < input.lines[i].constraints.size(); ++c) {
+            const LineConstraint& constraint = input.lines[i].constraints[c];
+            const ConstraintAtRest& r = report.lines[i].constraints[c];
+            static constexpr std::array kinds = {
+                "ball_joint", "flex_joint", "clamp", "tensioner", "guide", "slider", "pull_tube"};
+            table.row({input.lines[i].name + "/" + constraint.name,
+                       kinds.at(static_cast<std::size_t>(constraint.type)),
+                       number(r.magnitude / 1e3, 2), number(r.opening, 4)});
+            any = true;
+        }
+    }
+    return any ? title("Constraints along the lines") + table.text() : "";
+}
+
+std::string curve_text(const Case& input, const OffsetCurve& curve) {
+    std::string out =
+        title(fmt::format("Restoring towards {:g} deg, {} of {} lines, still water",
+                          degrees * curve.heading, curve.lines.size(), input.lines.size()));
+    TextTable table;
+    table.column("offset", "m");
+    table.column("restoring", "kN");
+    table.column("transverse", "kN");
+    table.column("yaw moment", "kN.m");
+    table.column("slope", "kN/m");
+    table.column("least tension", "kN");
+    table.column("line");
+    table.column("greatest", "kN");
+    table.column("line");
+    for (const OffsetPoint& p : curve.points)
+        table.row(
+            {number(p.offset, 2), number(p.restoring / 1e3, 1), number(p.transverse / 1e3, 1),
+             number(p.yaw_moment / 1e3, 0), number(p.slope / 1e3, 1), number(p.least / 1e3, 1),
+             input.lines[static_cast<std::size_t>(p.least_line)].name, number(p.greatest / 1e3, 1),
+             input.lines[static_cast<std::size_t>(p.greatest_line)].name});
+    return out + table.text() + "tensions are those at end A\n";
+}
+
+std::string heading(const Case& input) {
+    return fmt::format("{}: static solution\n", input.title.empty() ? input.name : input.title);
+}
+
+}  // namespace
+
+std::string statics_text(const Case& input, const StaticsReport& report) {
+    std::string out = heading(input);
+    if (report.platform) {
+        const PlatformAtRest& p = *report.platform;
+        out += platform_text(input, p);
+        out += stiffness_text("Stiffness of platform and lines", p.stiffness);
+        if (!input.lines.empty()) out += stiffness_text("Stiffness of the lines", p.line_stiffness);
+    }
+    out += lines_text(input, report, false);
+    out += constraints_text(input, report);
+    if (report.curve) out += curve_text(input, *report.curve);
+    return out;
+}
+
+std::string statics_summary(const Case& input, const StaticsReport& report) {
+    std::string out = heading(input) + environment_text(input.environment);
+    if (report.platform) out += platform_text(input, *report.platform);
+    out += lines_text(input, report, true);
+    return out;
+}
+
+}  // namespace hawser::io

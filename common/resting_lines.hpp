@@ -1,0 +1,44 @@
+// Lines that can be looked at while they rest, and how they swing about that rest: what the
+// commands `statics`, `modes` and `check --statics` want beside the loads of the seam. In one
+// process only: a static solution takes seconds.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "case/case.hpp"
+#include "lines.hpp"
+
+namespace hawser {
+
+/// A constraint along a line in the static solution.
+struct ConstraintAtRest {
+    Vec3 force = Vec3::Zero();  ///< on the line, world axes [N]
+    double magnitude = 0.0;     ///< normal force, or tension of a tensioner [N]
+    double opening = 0.0;       ///< gap left, or stroke of a tensioner [m]
+};
+
+/// A line in the static solution. Angles are those of the direction of growing arc length.
+struct LineAtRest {
+    double tension_a = 0.0, tension_b = 0.0;          ///< effective tension at the ends [N]
+    double declination_a = 0.0, declination_b = 0.0;  ///< from vertical down [rad]
+    double azimuth_a = 0.0, azimuth_b = 0.0;          ///< in the horizontal plane, from +x [rad]
+    double lowest_tension = 0.0;                      ///< effective tension along the line [N]
+    double lowest_at = 0.0;                           ///< arc length of that place [m]
+    double grounded = 0.0;                            ///< length in contact with the seabed [m]
+    double touchdown = NAN;                     ///< least arc length in contact [m]; NaN: none
+    std::vector<ConstraintAtRest> constraints;  ///< in the order of Line::constraints
+};
+
+/// All lines of a case in this process. at_rest() tells of the last order `equilibrium`.
+class RestingLines : public Lines {
+ public:
+    /// One per line, in line order.
+    [[nodiscard]] virtual std::vector<LineAtRest> at_rest() const = 0;
+};
+
+/// Defined by worker/.
+std::unique_ptr<RestingLines> make_resting_lines(const Case& input);
+
+}  // namespace hawser

@@ -1,0 +1,72 @@
+// What `hawser statics` and `hawser check --statics` find out, as plain values. SI and radians.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "resting_lines.hpp"
+
+namespace hawser {
+
+/// Does the platform stand upright, and what holds it?
+struct Stability {
+    double hull_GM_roll = 0.0, hull_GM_pitch = 0.0;  ///< weight and buoyancy alone, upright [m]
+    double GM_roll = 0.0, GM_pitch = 0.0;  ///< stiffness with the lines over the buoyancy [m]
+    std::vector<std::string> unstable;     ///< motions of the directions with negative stiffness
+    std::vector<std::string> unheld;       ///< motions of the directions without stiffness
+    [[nodiscard]] bool stable() const { return unstable.empty(); }
+};
+
+struct PlatformAtRest {
+    std::string name;
+    PlatformMotion position;  ///< equilibrium under the mean loads
+    double mass = 0.0;        ///< [kg]
+    bool mass_is_auto = false;
+    double acting_buoyancy = 0.0;     ///< at the design draft [N]
+    double vertical_line_load = 0.0;  ///< at the design position in still water, downwards [N]
+    Vec6 line_load = Vec6::Zero();    ///< at the equilibrium, about O [N, N.m]
+    Mat6 stiffness = Mat6::Zero(), line_stiffness = Mat6::Zero();  ///< all; lines' part
+    Stability stability;
+    std::array<std::optional<double>, 6> periods;  ///< surge ... yaw [s]
+    double added_mass_frequency = 0.0;             ///< [rad/s]; 0: constant matrices
+    int iterations = 0;
+};
+
+/// The platform held at one offset; forces of the chosen lines on it.
+struct OffsetPoint {
+    double offset = 0.0;                 ///< [m]
+    double restoring = 0.0;              ///< against the offset [N]
+    double transverse = 0.0;             ///< to the left of the offset [N]
+    double yaw_moment = 0.0;             ///< about the platform's reference point [N.m]
+    double slope = 0.0;                  ///< d restoring/d offset, from the lines' tangent [N/m]
+    double least = 0.0, greatest = 0.0;  ///< tension at end A [N]
+    int least_line = -1, greatest_line = -1;  ///< index in Case::lines
+};
+
+struct OffsetCurve {
+    double heading = 0.0;    ///< [rad]
+    std::vector<int> lines;  ///< that are summed
+    std::vector<OffsetPoint> points;
+};
+
+struct StaticsReport {
+    std::optional<PlatformAtRest> platform;
+    std::vector<LineAtRest> lines;  ///< in line order
+    std::optional<OffsetCurve> curve;
+    std::vector<std::string> warnings;
+};
+
+struct StaticsRequest {
+    std::vector<double> offsets;  ///< [m]; empty: no curve
+    double heading = 0.0;         ///< of the offsets [rad]
+    std::string lines = "*";      ///< glob: which lines the curve sums
+};
+
+/// The equilibrium that starts a run. Throws RunError (no_equilibrium, input) with the reason.
+/// Defined by master/.
+StaticsReport find_statics(const Case& input, const StaticsRequest& request);
+
+}  // namespace hawser

@@ -1,0 +1,146 @@
+"""`hawser statics` and `hawser check --statics` as a user meets them.
+
+usage: test_statics.py HAWSER SOURCE_DIR MPIEXEC [unittest arguments]
+"""
+
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HAWSER, SOURCE, MPIEXEC = sys.argv[1:4]
+CASES = pathlib.Path(SOURCE) / "cases"
+HEAVE = str(CASES / "heave_decay.yml")
+CHAIN = str(CASES / "hanging_chain.yml")
+SPAR = str(CASES / "truss_spar" / "truss_spar.yml")
+
+
+def hawser(*arguments, ranks=0):
+    mpirun = [MPIEXEC, "-n", str(ranks), "--oversubscribe"] if ranks else []
+    return subprocess.run(mpirun + [HAWSER, *map(str, arguments)], capture_output=True, text=True,
+                          timeout=60)
+
+
+def statics(*arguments):
+    """The report of `hawser statics --json`."""
+    done = hawser("statics", *arguments, "--json")
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+class RestoringCurve(unittest.TestCase):
+    def test_of_the_truss_spar_is_that_of_the_elastic_catenary(self):
+        """1 %: the table is rounded to four digits; the rods have bending of none, a soft bed and
+        44 elements a line, together 0.1 %."""
+        with open(pathlib.Path(SOURCE) / "tests" / "data" / "truss_spar_restoring.csv") as table:
+            expected = list(csv.DictReader(row for row in table if row[0] != "#"))
+        curve = statics(SPAR, "--lines", "ml*", "--offset",
+                        ",".join(row["offset"] for row in expected))["restoring"]
+        self.assertEqual(len(curve["lines"]), 12)
+        for got, row in zip(curve["points"], expected):
+            with self.subTest(offset=row["offset"]):
+                self.assertAlmostEqual(got["restoring"] / 1e3, float(row["restoring"]),
+                                       delta=0.01 * float(row["restoring"]) + 1.0)
+                for key in ("slope", "least_tension", "greatest_tension"):
+                    value = float(row[key])
+                    self.assertAlmostEqual(got[key] / 1e3, value, delta=0.01 * value, msg=key)
+        # The weather group slackens, the other two share the pull.
+        self.assertIn(curve["points"][-1]["least_line"], ("ml1", "ml2", "ml3", "ml4"))
+        self.assertIn(curve["points"][-1]["greatest_line"], ("ml8", "ml9"))
+
+    def test_is_the_same_in_the_three_directions_of_the_three_groups(self):
+        curves = [statics(SPAR, "--lines", "ml*", "--offset", "25", "--heading", heading)
+                  ["restoring"]["points"][0] for heading in (0, 120, -120)]
+        for curve in curves[1:]:
+            self.assertAlmostEqual(curve["restoring"] / curves[0]["restoring"], 1.0, delta=1e-6)
+            self.assertLess(abs(curve["transverse"]), 1e-6 * curve["restoring"])
+
+    def test_has_the_slope_that_its_forces_have(self):
+        points = statics(SPAR, "--offset", "19.9:20.1:0.1", "--heading", "40")["restoring"]["points"]
+        slope = (points[2]["restoring"] - points[0]["restoring"]) / 0.2
+        self.assertAlmostEqual(points[1]["slope"] / slope, 1.0, delta=1e-4)  # differences: h^2
+
+    def test_can_be_written_as_csv(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "curve.csv"
+            done = hawser("statics", SPAR, "--offset", "0:10:5", "-o", file)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            rows = list(csv.DictReader(file.read_text().splitlines()))
+            self.assertEqual([float(row["offset [m]"]) for row in rows], [0, 5, 10])
+            done = hawser("statics", SPAR, "-o", file)
+            rows = list(csv.DictReader(file.read_text().splitlines()))
+            self.assertGreaterEqual(len(rows), 16)
+
+    def test_needs_a_line_of_that_name(self):
+        done = hawser("statics", SPAR, "--offset", "0", "--lines", "cable*")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("cable*", done.stderr)
+
+
+class Tables(unittest.TestCase):
+    def test_balance_at_the_equilibrium(self):
+        """Weight, buoyancy with the heave stiffness, and the lines: to 2 % of the line load, for
+        the wind and current push down and tilt a little."""
+        report = statics(SPAR, "--set", "analysis.statics.loads=[]")
+        p = report["platform"]
+        self.assertTrue(p["stable"])
+        weight = 9.80665 * p["mass"]
+        self.assertAlmostEqual(p["acting_buoyancy"] - weight, p["vertical_line_load"],
+                               delta=1e-6 * weight)
+        self.assertAlmostEqual(p["line_load"][2], -p["vertical_line_load"],
+                               delta=0.02 * p["vertical_line_load"])
+
+    def test_tell_the_hanging_chain_in_closed_form(self):
+        """V at the top is the weight of what hangs, H is the same at both ends, and what hangs is
+        sqrt(h^2 + 2 h H/w) long: 0.3 m for the soft bed and elements of 7.5 m."""
+        line = statics(CHAIN)["lines"][0]
+        w = line["submerged_weight"] / line["length"]
+        declination = math.radians(line["declination_a"])
+        H, V = (line["tension_a"] * f(declination) for f in (math.sin, math.cos))
+        self.assertAlmostEqual(V / w, line["touchdown"], delta=0.3)
+        self.assertAlmostEqual(H / line["tension_b"], 1.0, delta=1e-3)
+        self.assertAlmostEqual(math.sqrt(98**2 + 2 * 98 * H / w), line["touchdown"], delta=0.3)
+        self.assertAlmostEqual(line["lowest_tension"] / H, 1.0, delta=1e-3)
+        self.assertEqual(line["azimuth_a"], 0.0)
+
+    def test_are_the_same_under_mpirun_and_said_once(self):
+        alone, together = hawser("statics", HEAVE), hawser("statics", HEAVE, ranks=3)
+        self.assertEqual(together.returncode, 0, together.stderr)
+        self.assertEqual(alone.stdout, together.stdout)
+        self.assertIn("GM of the hull alone", alone.stdout)
+
+    def test_touchdown_and_grounded_length_make_up_the_line(self):
+        for line in statics(SPAR)["lines"]:
+            if line["name"].startswith("scr"):
+                self.assertAlmostEqual(line["touchdown"] + line["grounded"], line["length"],
+                                       delta=1e-6)
+
+
+class Check(unittest.TestCase):
+    def test_with_statics_prints_the_summary(self):
+        done = hawser("check", SPAR, "--statics")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for words in ("valid.", "GM of the hull alone", "natural periods", "added mass taken at",
+                      "greatest crest", "scr_oil"):
+            self.assertIn(words, done.stdout)
+
+    def test_without_equilibrium_ends_with_four(self):
+        done = hawser("check", HEAVE, "--statics", "--set",
+                      "environment.current={heading: 0 deg, profile: [[0 m, 1 m/s]]}")
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("nothing holds the platform in surge", done.stderr)
+
+    def test_warns_of_a_hull_that_does_not_stand(self):
+        done = hawser("check", HEAVE, "--statics", "--set",
+                      "platform.centre_of_gravity=[0, 0, -40 m]")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("not stable in", done.stderr)
+        self.assertIn("NOT STABLE in", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])

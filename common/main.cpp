@@ -99,7 +99,14 @@ ExitCode run(const io::CommandLine& line, io::Link& link) {
     link.broadcast(code);
     if (code != 0) return static_cast<ExitCode>(code);
     shared.broadcast(link);
-    const Case input = shared.value();
+    Case input = shared.value();
+    if (const ExitCode met = meet_targets(input, shared.request.adjustments, link);
+        met != ExitCode::done)
+        return met;
+    for (const Adjustment& a : shared.request.adjustments) {
+        shared.request.notes.push_back(note_of(a, input));
+        if (!line.quiet) std::fprintf(stderr, "%s\n", shared.request.notes.back().c_str());
+    }
     watch_stop_signals();
     return link.rank() == 0 ? run_master(input, shared.request, link)
                             : run_worker(input, shared.request, link);
@@ -140,7 +147,12 @@ int main(int argc, char** argv) {
                 return 0;
             case Command::run:
                 if (line.dry_run) {
-                    const Case input = io::read_and_check(line.case_file, line.overrides).value;
+                    Case input = io::read_and_check(line.case_file, line.overrides).value;
+                    std::vector<Adjustment> found;
+                    const ExitCode met = meet_targets(input, found, io::Link());
+                    if (met != ExitCode::done) return static_cast<int>(met);
+                    for (const Adjustment& a : found)
+                        std::printf("%s\n", note_of(a, input).c_str());
                     std::fputs(dry_run(input, launch.size).c_str(), stdout);
                     return 0;
                 }

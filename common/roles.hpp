@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "adjustment.hpp"
 #include "case/case.hpp"
 #include "lines.hpp"
 #include "status.hpp"
@@ -28,10 +29,18 @@ struct RunRequest {
     std::string resolved;  ///< text of the case, every default filled in
     std::vector<std::pair<std::string, std::string>> sources;  ///< file name, text
     std::vector<std::string> notes;                            ///< warnings of the check
+    std::vector<Adjustment> adjustments;                       ///< that statics made to the case
     std::string command, version, build;                       ///< for the result's attributes
     ProgressStyle progress = ProgressStyle::automatic;
     bool quiet = false;
 };
+
+/// Makes a checked case ready to compute, before any of the following: rank 0 finds what the static
+/// targets of the lines ask for, every rank puts the same numbers into its case. Collective; no
+/// line with a target, nothing done. A target out of reach is said on rank 0 and every rank returns
+/// its exit code.
+/// @param found  what was adjusted; rank 0 only
+ExitCode meet_targets(Case& input, std::vector<Adjustment>& found, const io::Link& link);
 
 /// Rank 0 of a run, or all of it if the link is alone. Every rank returns the same exit code.
 ExitCode run_master(const Case& input, const RunRequest& request, io::Link& link);

@@ -63,6 +63,7 @@ io::RunRecord Simulation::record(ExitCode code, const std::string& message,
     r.complete = code == ExitCode::done;
     r.outcome = message;
     r.statics = statics_;
+    r.adjustments = request_.adjustments;
     if (hull_ != nullptr) {
         if (ledger_.started()) r.ledger = ledger_.table();
         r.platform = platform_facts_;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "adjustment.hpp"
 #include "case/case.hpp"
 #include "io/hdf5.hpp"
 #include "ledger.hpp"
@@ -37,9 +38,10 @@ struct RunRecord {
     bool complete = false;  ///< false: stopped or failed on the way
     std::string outcome;    ///< one line for people: "done", or what went wrong
     std::optional<StaticState> statics;
-    std::optional<LedgerTable> ledger;  ///< of the platform
-    std::vector<Fact> platform;         ///< mass, acting buoyancy, GM, periods; for the summary
-    std::vector<Fact> performance;      ///< `name` as in /performance/<name>; times in s
+    std::vector<Adjustment> adjustments;  ///< that statics made to `input`
+    std::optional<LedgerTable> ledger;    ///< of the platform
+    std::vector<Fact> platform;           ///< mass, acting buoyancy, GM, periods; for the summary
+    std::vector<Fact> performance;        ///< `name` as in /performance/<name>; times in s
 };
 
 /// Statistics of one recorded channel.

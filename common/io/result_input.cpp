@@ -54,6 +54,9 @@ void write_input(Hdf5File& file, const RunRecord& record) {
 }
 
 void write_root(Hdf5File& file, const RunRecord& record) {
+    for (const Adjustment& a : record.adjustments)
+        file.attribute("/", "adjusted_" + record.input.lines[static_cast<std::size_t>(a.line)].name,
+                       note_of(a, record.input));
     std::array<char, 256> host{};
     if (::gethostname(host.data(), host.size() - 1) != 0) host[0] = '\0';
     file.attribute("/", "program", std::string("hawser"));

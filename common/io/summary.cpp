@@ -115,6 +115,7 @@ std::string lines_text(const RunRecord& record, const ResultDigest& digest) {
                            cell(s.end_a_declination, 9, 2), cell(s.end_b_declination, 9, 2),
                            cell(s.grounded, 10, 1));
     }
+    for (const Adjustment& a : record.adjustments) out += note_of(a, input) + "\n";
     out += "angle: from vertical down, of the line as it leaves end A and as it arrives at end B\n";
     return out;
 }

@@ -112,6 +112,8 @@ class RodPack {
     [[nodiscard]] Vec3 moment_on_support_b(int lane) const;
     /// Position of node n counted from end A [m].
     [[nodiscard]] Vec3 node_position(int lane, int n) const;
+    /// Nodes of a lane from end B to end A with tangents and tensions: a guess for another pack.
+    [[nodiscard]] std::vector<CatenaryNode> found_shape(int lane) const;
     /// Static stiffness about `reference`: -d(wrench)/d(position, rotation vector) [6 x 6], R:25.
     [[nodiscard]] Mat6 stiffness(int lane, const Vec3& reference);
 

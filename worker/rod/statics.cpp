@@ -125,6 +125,22 @@ void RodPack<V>::start_from(int lane, const std::vector<CatenaryNode>& nodes) {
 }
 
 template <class V>
+std::vector<CatenaryNode> RodPack<V>::found_shape(int lane) const {
+    using T = LaneTraits<V>;
+    std::vector<CatenaryNode> nodes;
+    for (std::size_t n = 0; n < trial_.size(); ++n) {
+        const NodeState<V>& x = working_.nodes()[n];
+        const auto vec = [&](const Vector<V>& v) {
+            return Vec3(T::get(v.x, lane), T::get(v.y, lane), T::get(v.z, lane));
+        };
+        nodes.push_back({.position = vec(x.r),
+                         .tangent = vec(x.d),
+                         .tension = T::get(working_.lambda()[2 * n].now, lane)});
+    }
+    return nodes;
+}
+
+template <class V>
 auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wanted, double part)
     -> Mask {
     static_ = true;
@@ -344,9 +360,11 @@ Status RodPack<V>::status_of(Mask bad, Status::Code code, double t) const {
 }
 
 template Status RodPack<Single>::equilibrium(const PlatformMotion&, bool);
+template std::vector<CatenaryNode> RodPack<Single>::found_shape(int) const;
 template void RodPack<Single>::set_guess(int, const std::vector<CatenaryNode>&);
 template Status RodPack<Single>::status_of(Single::Mask, Status::Code, double) const;
 template Status RodPack<Quad>::equilibrium(const PlatformMotion&, bool);
+template std::vector<CatenaryNode> RodPack<Quad>::found_shape(int) const;
 template void RodPack<Quad>::set_guess(int, const std::vector<CatenaryNode>&);
 template Status RodPack<Quad>::status_of(Quad::Mask, Status::Code, double) const;
 

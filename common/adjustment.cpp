@@ -1,0 +1,63 @@
+#include "adjustment.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace hawser {
+
+double adjusted_quantity(const Line& line) {
+    if (line.target.adjust == StaticTarget::Adjust::anchor_radius)
+        return std::hypot(line.end_b.position.x(), line.end_b.position.y());
+    return line.sections.at(static_cast<std::size_t>(line.target.section)).length;
+}
+
+void adjust(Line& line, const Environment& /*environment*/, double value) {
+    const double change = value - adjusted_quantity(line);
+    if (line.target.adjust == StaticTarget::Adjust::anchor_radius) {
+        Vec3& b = line.end_b.position;
+        const double before = std::hypot(b.x(), b.y());
+        b.x() *= value / before, b.y() *= value / before;
+        return;
+    }
+    double end = 0.0;
+    for (int i = 0; i <= line.target.section; ++i)
+        end += line.sections[static_cast<std::size_t>(i)].length;
+    line.sections[static_cast<std::size_t>(line.target.section)].length = value;
+    const double at_least = end - 1e-6;
+    for (Attachment& a : line.attachments)
+        if (a.arc_length >= at_least) a.arc_length += change;
+    for (LineConstraint& c : line.constraints)
+        if (c.arc_length && *c.arc_length >= at_least) *c.arc_length += change;
+    if (line.fail && line.fail->arc_length >= at_least) line.fail->arc_length += change;
+}
+
+void carry_out(const std::vector<Adjustment>& found, Case& input) {
+    for (const Adjustment& a : found)
+        adjust(input.lines[static_cast<std::size_t>(a.line)], input.environment, a.found);
+}
+
+std::string quantity_text(const Adjustment& a) {
+    return a.quantity == StaticTarget::Adjust::anchor_radius
+               ? "anchor radius"
+               : fmt::format("section {}", a.section + 1);
+}
+
+std::string target_text(const Adjustment& a) {
+    if (a.goal == Adjustment::Goal::hang_off_angle)
+        return fmt::format("{:.4g} deg at end A", a.target * 180.0 / M_PI);
+    return fmt::format("{:.5g} kN at {}", a.target / 1e3,
+                       a.goal == Adjustment::Goal::stroke ? "stroke 0" : "end A");
+}
+
+std::string note_of(const Adjustment& a, const Case& input) {
+    const bool radius = a.quantity == StaticTarget::Adjust::anchor_radius;
+    const double more = a.found - a.before;
+    const char* way =
+        radius ? (more < 0.0 ? "nearer" : "further out") : (more < 0.0 ? "shorter" : "longer");
+    return fmt::format("{}: {} is {:.3f} m, {:.3f} m {}, for {}",
+                       input.lines[static_cast<std::size_t>(a.line)].name, quantity_text(a),
+                       a.found, std::abs(more), way, target_text(a));
+}
+
+}  // namespace hawser

@@ -65,11 +65,19 @@ class SharedCase {
     std::string name_, data_folder_;
 };
 
+/// A case that one process reads, checks and makes ready to compute; its notes go to stderr.
+io::CaseFile ready_case(const io::CommandLine& line) {
+    io::CaseFile file = io::read_and_check(line.case_file, line.overrides);
+    for (const Adjustment& a : meet_targets(file.value, io::Link()))
+        file.notes.push_back(note_of(a, file.value));
+    for (const std::string& note : file.notes) std::fprintf(stderr, "%s\n", note.c_str());
+    return file;
+}
+
 /// `hawser statics` and `hawser check --statics`: one process, for it takes seconds.
 int statics(const io::CommandLine& line) {
     const bool brief = line.command == io::CommandLine::Command::check;
-    const io::CaseFile file = io::read_and_check(line.case_file, line.overrides);
-    for (const std::string& note : file.notes) std::fprintf(stderr, "%s\n", note.c_str());
+    const io::CaseFile file = ready_case(line);
     const StaticsReport report = find_statics(file.value, line.statics);
     for (const std::string& warning : report.warnings) complain("warning: " + warning);
     const std::string text = brief       ? io::statics_summary(file.value, report)
@@ -100,9 +108,12 @@ ExitCode run(const io::CommandLine& line, io::Link& link) {
     if (code != 0) return static_cast<ExitCode>(code);
     shared.broadcast(link);
     Case input = shared.value();
-    if (const ExitCode met = meet_targets(input, shared.request.adjustments, link);
-        met != ExitCode::done)
-        return met;
+    try {
+        shared.request.adjustments = meet_targets(input, link);
+    } catch (const RunError& error) {
+        if (link.rank() == 0) complain(error.what());
+        return error.code();
+    }
     for (const Adjustment& a : shared.request.adjustments) {
         shared.request.notes.push_back(note_of(a, input));
         if (!line.quiet) std::fprintf(stderr, "%s\n", shared.request.notes.back().c_str());
@@ -147,13 +158,7 @@ int main(int argc, char** argv) {
                 return 0;
             case Command::run:
                 if (line.dry_run) {
-                    Case input = io::read_and_check(line.case_file, line.overrides).value;
-                    std::vector<Adjustment> found;
-                    const ExitCode met = meet_targets(input, found, io::Link());
-                    if (met != ExitCode::done) return static_cast<int>(met);
-                    for (const Adjustment& a : found)
-                        std::printf("%s\n", note_of(a, input).c_str());
-                    std::fputs(dry_run(input, launch.size).c_str(), stdout);
+                    std::fputs(dry_run(ready_case(line).value, launch.size).c_str(), stdout);
                     return 0;
                 }
                 if (!launch.alone()) mpi.emplace(&argc, &argv);

@@ -36,11 +36,10 @@ struct RunRequest {
 };
 
 /// Makes a checked case ready to compute, before any of the following: rank 0 finds what the static
-/// targets of the lines ask for, every rank puts the same numbers into its case. Collective; no
-/// line with a target, nothing done. A target out of reach is said on rank 0 and every rank returns
-/// its exit code.
-/// @param found  what was adjusted; rank 0 only
-ExitCode meet_targets(Case& input, std::vector<Adjustment>& found, const io::Link& link);
+/// targets of the lines ask for, every rank puts the same numbers into its case. Collective. A
+/// target out of reach throws RunError on every rank, with the message on rank 0 alone.
+/// @return what was adjusted; empty on other ranks than 0
+std::vector<Adjustment> meet_targets(Case& input, const io::Link& link);
 
 /// Rank 0 of a run, or all of it if the link is alone. Every rank returns the same exit code.
 ExitCode run_master(const Case& input, const RunRequest& request, io::Link& link);

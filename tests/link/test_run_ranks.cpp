@@ -113,5 +113,31 @@ TEST(RunOnRanks, EndsOnAllRanksWithFiveAndAReadableResultWhenALineFails) {
     ranks().barrier();
 }
 
+TEST(RunOnRanks, EveryRankPutsTheSameBitsIntoItsLinesForTheirTargets) {
+    Case input = test::moored_spar();
+    const double before = input.lines[0].end_b.position.norm();
+    input.lines[0].target = {.adjust = StaticTarget::Adjust::anchor_radius, .pretension = 1.2e6};
+    const std::vector<Adjustment> found = meet_targets(input, ranks());
+    EXPECT_EQ(found.size(), ranks().rank() == 0 ? 1U : 0U);
+    EXPECT_NE(input.lines[0].end_b.position.norm(), before);
+    const std::vector<int> counts(static_cast<std::size_t>(ranks().size()), 3);
+    std::vector<double> all(3 * counts.size());
+    ranks().gather({input.lines[0].end_b.position.data(), 3}, counts, all);
+    for (std::size_t i = 3; i < all.size() && ranks().rank() == 0; ++i)
+        EXPECT_EQ(all[i], all[i % 3]);
+}
+
+TEST(RunOnRanks, ATargetOutOfReachEndsEveryRank) {
+    Case input = test::moored_spar();
+    input.lines[0].target = {.adjust = StaticTarget::Adjust::anchor_radius, .pretension = 1.0};
+    try {
+        meet_targets(input, ranks());
+        ADD_FAILURE() << "nothing thrown";
+    } catch (const RunError& error) {
+        EXPECT_EQ(error.code(), ExitCode::no_equilibrium);
+        EXPECT_EQ(std::string(error.what()).empty(), ranks().rank() != 0);
+    }
+}
+
 }  // namespace
 }  // namespace hawser

@@ -87,6 +87,18 @@ const Table& coupling_keys() {
     return table;
 }
 
+const Table& modes_keys() {
+    static const Table table = [] {
+        Keys<Analysis> k("modes");
+        k.integer("count", &Analysis::modes, "Number of natural periods that `hawser modes` shows")
+            .def("20")
+            .at_least(1)
+            .at_most(1000);
+        return k.done();
+    }();
+    return table;
+}
+
 const Table& dynamics_keys() {
     static const Table table = [] {
         Keys<Dynamics> k("dynamics");
@@ -110,8 +122,11 @@ const Table& dynamics_keys() {
             .def("1")
             .at_least(0);
         k.map("rod_scheme", &Dynamics::rod_scheme, rod_scheme_keys, "Time integration of the rods");
-        k.only("line_model", "dynamic", {"quasi_static", "catenary", "linear_spring"},
-               "How lines respond");
+        k.choice("line_model", &Dynamics::line_model, line_model_words(),
+                 "How lines respond: rods in motion, the same rods at rest at every stage, or an "
+                 "elastic catenary between the ends")
+            .def("dynamic")
+            .later_words({"linear_spring"});
         k.group("coupling", coupling_keys, "How platform and rods advance together");
         k.later("checkpoint", "Checkpoints");
         return k.done();
@@ -121,12 +136,20 @@ const Table& dynamics_keys() {
 
 }  // namespace
 
+const std::vector<std::pair<std::string, LineModel>>& line_model_words() {
+    static const std::vector<std::pair<std::string, LineModel>> words{
+        {"dynamic", LineModel::dynamic},
+        {"quasi_static", LineModel::quasi_static},
+        {"catenary", LineModel::catenary}};
+    return words;
+}
+
 const Table& analysis_keys() {
     static const Table table = [] {
         Keys<Analysis> k("analysis");
         k.map("statics", &Analysis::statics, statics_keys, "The static solution");
         k.map("dynamics", &Analysis::dynamics, dynamics_keys, "The simulation").required();
-        k.later("modes", "Natural periods and shapes");
+        k.group("modes", modes_keys, "Natural periods and shapes");
         return k.done();
     }();
     return table;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "case/build_constraints.hpp"
 #include "case/declared.hpp"
 #include "case/line_type_rules.hpp"
 
@@ -27,6 +28,7 @@ class Build {
         for (const LineTypeKeys& type : declared_.line_types) {
             value_.line_types.push_back(line_type(type));
         }
+        for (const LineTypeKeys& type : declared_.line_types) taper(type);
         for (const LineKeys& line : declared_.lines) this->line(line);
         return std::move(value_);
     }
@@ -64,6 +66,23 @@ class Build {
         value_.platform = std::move(p);
     }
 
+    void taper(const LineTypeKeys& type) {
+        if (!type.taper) return;
+        const std::string path = "line_types." + type.name + ".taper";
+        for (const auto& [name, key] :
+             {std::pair{type.taper->from, ".from"}, {type.taper->to, ".to"}}) {
+            const int i = type_index(name, path + key);
+            if (i < 0) continue;
+            const LineTypeKeys& end = declared_.line_types[static_cast<std::size_t>(i)];
+            if (end.taper) error(path + key, fmt::format("\"{}\" is tapered itself", name));
+            if (end.viscoelastic || !end.EA_curve.empty()) {
+                error(path + key, fmt::format("\"{}\" has no single EA: a taper between such types "
+                                              "is not available in this version",
+                                              name));
+            }
+        }
+    }
+
     void line(const LineKeys& keys) {
         const std::string path = "lines." + keys.family;
         Line line;
@@ -82,38 +101,75 @@ class Build {
             error(path + ".end_b.platform",
                   "end B on a platform: not available in this version; let end A be there");
         }
-        if (keys.end_a.free == true && keys.end_b.free == true) {
-            error(path, "both ends are free: one must be held");
-        } else if (keys.end_a.free == true) {
-            error(
-                path + ".end_a.free",
-                "a free end A: not available in this version; let end A be the held one and end B "
-                "free");
-        }
         for (std::size_t i = 0; i < keys.sections.size(); ++i)
             section(keys.sections[i], i, path, line);
+        line.model = keys.model;
+        line.sheltered_above = keys.sheltered_above;
+        line.internal_pressure = keys.internal_pressure;
+        line_constraints(keys, declared_, line, problems_);
+        line_target(keys, line, problems_);
+        line_failure(keys, declared_, line, problems_);
+        if (keys.end_a.free == true) free_end_a(keys, path, line);
         for (std::size_t i = 0; i < keys.attachments.size(); ++i) {
             attachment(keys.attachments[i], fmt::format("{}.attachments[{}]", path, i), line);
         }
         value_.lines.push_back(std::move(line));
     }
 
-    void section(const SectionKeys& keys, std::size_t i, const std::string& path, Line& line) {
+    /// A free end A is held by what stands among the constraints.
+    void free_end_a(const LineKeys& keys, const std::string& path, const Line& line) {
+        using Type = ConstraintType;
+        if (keys.end_b.free == true) return error(path, "both ends are free: one must be held");
+        const auto holds = [](const LineConstraint& c) {
+            return c.type == Type::tensioner || c.type == Type::ball_joint ||
+                   c.type == Type::flex_joint || c.type == Type::clamp;
+        };
+        if (std::none_of(line.constraints.begin(), line.constraints.end(), holds)) {
+            error(path + ".end_a.free",
+                  "a free end A needs something that holds the line up: a tensioner among its "
+                  "constraints");
+        } else if (!keys.end_a.position) {
+            error(path + ".end_a",
+                  "a free end A needs \"position\", where it is at the design position (or "
+                  "positions and top_z of the family)");
+        }
+    }
+
+    /// Height of the seabed [m].
+    double bed(double x, double y) const {
+        const Seabed& s = declared_.environment.seabed;
+        return -s.depth + std::tan(s.slope_angle) *
+                              (x * std::cos(s.slope_direction) + y * std::sin(s.slope_direction));
+    }
+
+    int type_index(const std::string& name, const std::string& path) {
         std::vector<std::string> known;
-        int type = -1;
         for (std::size_t k = 0; k < declared_.line_types.size(); ++k) {
             known.push_back(declared_.line_types[k].name);
-            if (known.back() == keys.type) type = static_cast<int>(k);
+            if (known.back() == name) return static_cast<int>(k);
         }
-        if (type < 0 && !keys.type.empty()) {
-            error(
-                fmt::format("{}.sections[{}].type", path, i),
-                fmt::format("unknown line type \"{}\"{}", keys.type, suggestion(keys.type, known)));
+        if (!name.empty()) {
+            error(path, fmt::format("unknown line type \"{}\"{}", name, suggestion(name, known)));
+        }
+        return -1;
+    }
+
+    void section(const SectionKeys& keys, std::size_t i, const std::string& path, Line& line) {
+        int type = type_index(keys.type, fmt::format("{}.sections[{}].type", path, i)), end = -1;
+        if (type >= 0) {
+            const LineTypeKeys& declared = declared_.line_types[static_cast<std::size_t>(type)];
+            if (declared.taper) {
+                const std::string taper = "line_types." + declared.name + ".taper";
+                type = type_index(declared.taper->from, taper + ".from");
+                end = type_index(declared.taper->to, taper + ".to");
+                if (end < 0) type = -1;
+            }
         }
         line.sections.push_back({.type = type,
                                  .length = keys.length,
                                  .elements = keys.elements.value_or(0),
-                                 .growth = keys.growth});
+                                 .growth = keys.growth,
+                                 .type_at_end = end});
     }
 
     void attachment(const AttachmentKeys& keys, const std::string& path, Line& line) {
@@ -142,7 +198,6 @@ class Build {
 
     LineEnd end(const EndKeys& keys, const LineKeys& line, const std::string& path) {
         LineEnd e;
-        const double depth = declared_.environment.seabed.depth;
         if (keys.platform) {
             e.kind = EndKind::platform;
             const std::string ours = declared_.platform ? declared_.platform->name : std::string();
@@ -165,15 +220,16 @@ class Build {
             e.kind = EndKind::anchor;
             const AnchorKeys& anchor = *keys.anchor;
             if (anchor.radius) {
-                e.position = on_circle(*anchor.radius, anchor.azimuth.value_or(NAN), -depth);
+                e.position = on_circle(*anchor.radius, anchor.azimuth.value_or(NAN), 0.0);
+                e.position.z() = bed(e.position.x(), e.position.y());
             } else if (anchor.position) {
-                e.position = {(*anchor.position)[0], (*anchor.position)[1], -depth};
-                if (anchor.position->size() > 2 && !((*anchor.position)[2] == -depth) &&
-                    !std::isnan(depth)) {
+                const double z = bed((*anchor.position)[0], (*anchor.position)[1]);
+                e.position = {(*anchor.position)[0], (*anchor.position)[1], z};
+                if (anchor.position->size() > 2 && (*anchor.position)[2] != z && !std::isnan(z)) {
                     error(path + ".anchor.position",
                           fmt::format("an anchor lies on the seabed, z = {:.6g} m; leave z out, or "
                                       "use \"fixed\"",
-                                      -depth));
+                                      z));
                 }
             }
         } else if (keys.wellhead_z) {
@@ -185,7 +241,9 @@ class Build {
         } else if (keys.free && !*keys.free) {
             error(path + ".free", "expected true, or another kind of end");
         }
-        if (keys.platform.has_value() != (keys.polar || keys.position) && !keys.platform) {
+        if (keys.free == true && keys.position) e.position = *keys.position;
+        const bool placed = keys.polar || (keys.position && keys.free != true);
+        if (placed && !keys.platform) {
             error(path, "\"position\" and \"polar\" are places on a platform: name it");
         }
         if (keys.motion) {
@@ -202,13 +260,11 @@ class Build {
             error(path + ".joint", "a free end has no joint");
         }
         if (keys.joint == Joint::flex) {
-            e.rotational_stiffness = keys.rotational_stiffness.value_or(NAN);
+            e.rotational_curve = keys.rotational_curve;
+            check_curve(e.rotational_curve, path + ".rotational_stiffness", problems_);
+            e.rotational_stiffness = first_slope(e.rotational_curve, keys.rotational_stiffness);
         }
-        if (keys.direction) {
-            const double d = *keys.direction, azimuth = line.azimuth.value_or(0.0);
-            e.direction = Vec3(std::sin(d) * std::cos(azimuth), std::sin(d) * std::sin(azimuth),
-                               -std::cos(d));
-        }
+        if (keys.direction) e.direction = direction_down(*keys.direction, line.azimuth);
     }
 
     static EndMotion motion(const MotionKeys& keys) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -146,7 +147,7 @@ class Completion {
                                   suggestion(*type.material, known)));
                 // What follows from the material is unknown, not missing.
                 if (!type.mass) type.mass = NAN;
-                if (!type.EA && !type.viscoelastic) type.EA = NAN;
+                if (!type.EA && !type.viscoelastic && type.EA_curve.empty()) type.EA = NAN;
                 if (!type.EI) type.EI = NAN;
             }
         }
@@ -157,6 +158,15 @@ class Completion {
         if (line.family.empty()) line.family = line.name;
         azimuths(line);
         elements(line);
+        for (ConstraintKeys& constraint : line.constraints) Completion::constraint(constraint);
+        if (line.fail && !line.fail->line) {
+            const auto of_family = [&line](const LineKeys& l) { return l.family == line.family; };
+            if (std::count_if(case_.lines.begin(), case_.lines.end(), of_family) > 1) {
+                error("lines." + line.family + ".fail",
+                      "required key \"line\" is missing: the family has several lines");
+            }
+            line.fail->line = line.name;
+        }
     }
 
     /// The line's own azimuth, and that of its ends where they leave it out.
@@ -211,6 +221,19 @@ class Completion {
                         *end.anchor->radius * std::sin(*end.anchor->azimuth), 0.0);
         }
         return {};
+    }
+
+    static void constraint(ConstraintKeys& c) {
+        using Kind = ConstraintKind;
+        const bool rigid = c.type == Kind::ball_joint || c.type == Kind::flex_joint ||
+                           c.type == Kind::clamp || c.type == Kind::slider;
+        if (rigid && !c.stiffness) c.stiffness = 100e6;
+        if (c.type == Kind::tensioner && !c.arc) c.arc = 0.0;
+        if (!c.axis && (c.type == Kind::guide || c.type == Kind::slider)) c.axis = Vec3::UnitZ();
+        if (c.name || c.names) return;
+        static constexpr std::array names{"ball_joint", "flex_joint", "clamp",     "tensioner",
+                                          "guide",      "slider",     "pull_tube", "winch"};
+        c.name = names.at(static_cast<std::size_t>(c.type));
     }
 
     static void elements(LineKeys& line) {

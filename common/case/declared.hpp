@@ -18,6 +18,8 @@ namespace hawser {
 struct Material {
     std::string name;
     double E = 0.0, density = 0.0;  ///< [Pa], [kg/m3]
+    double poisson = 0.3;
+    std::optional<double> yield;  ///< [Pa]
 };
 
 /// A layer round a line: coating, marine growth.
@@ -27,6 +29,11 @@ struct Layer {
 
 enum class ChainLink { studless, studlink };
 enum class DragReference { nominal, outer, volume };
+
+/// Properties run along the section from one type's to the other's.
+struct TaperKeys {
+    std::string from, to;
+};
 
 struct LineTypeKeys {
     std::string name;
@@ -44,7 +51,11 @@ struct LineTypeKeys {
     double drag_normal = 0.0, drag_axial = 0.0;
     std::optional<DragReference> drag_reference;
     double added_mass_normal = 1.0, added_mass_axial = 0.0;
-    std::optional<double> breaking_load;
+    Curve EA_curve, EI_curve;
+    std::optional<double> breaking_load, yield;
+    double poisson = 0.3;                                ///< of the material
+    double concentration = 1.0, thickness_factor = 1.0;  ///< of stresses, `stress`
+    std::optional<TaperKeys> taper;
 };
 
 struct PolarKeys {
@@ -78,6 +89,7 @@ struct EndKeys {
     std::optional<bool> free;
     Joint joint = Joint::ball;
     std::optional<double> rotational_stiffness;
+    Curve rotational_curve;
     std::optional<double> direction;  ///< from vertical down, in the plane of the azimuth [rad]
 };
 
@@ -95,6 +107,49 @@ struct AttachmentKeys {
     double mass = 0.0, volume = 0.0, drag_area = 0.0, Ca = 0.0;
 };
 
+enum class ConstraintKind {
+    ball_joint,
+    flex_joint,
+    clamp,
+    tensioner,
+    guide,
+    slider,
+    pull_tube,
+    winch
+};
+enum class TensionerLaw { linear, gas, table };
+
+/// What holds a line between its ends; a list of heights makes several of it.
+struct ConstraintKeys {
+    ConstraintKind type = ConstraintKind::guide;
+    std::optional<std::string> platform, line, name, names;
+    std::optional<double> arc;
+    std::vector<double> z;
+    std::optional<Vec3> position, axis;
+    double gap = 0.0, length = 0.0;
+    std::optional<double> stiffness;
+    double damping = 0.0;
+    double friction = 0.0;  ///< [N] of a tensioner, else [-]
+    double mobilisation = 0.01;
+    std::optional<TensionerLaw> law;
+    std::optional<double> nominal_tension, exponent, gas_column;
+    Curve pull;
+    std::vector<double> stroke;  ///< two, or none
+    std::vector<Vec3> cylinders, path;
+    std::optional<double> rotational_stiffness;
+    Curve rotational_curve;
+    std::optional<double> direction;
+    Curve paid_out;
+};
+
+struct FailKeys {
+    std::optional<std::string> line;
+    double time = 0.0;
+    std::optional<double> arc_length;
+    std::optional<int> joint;
+    bool end_b = false;
+};
+
 struct LineKeys {
     std::string name;
     std::string family;
@@ -102,7 +157,14 @@ struct LineKeys {
     EndKeys end_a, end_b;
     std::vector<SectionKeys> sections;
     std::vector<AttachmentKeys> attachments;
+    std::vector<ConstraintKeys> constraints;
     std::optional<double> time_step;
+    std::optional<LineModel> model;
+    std::optional<double> sheltered_above;
+    double internal_pressure = 0.0;
+    std::optional<double> pretension, hang_off_angle;
+    std::optional<std::string> adjust;
+    std::optional<FailKeys> fail;
 };
 
 /// How a family makes several lines of one description.
@@ -153,8 +215,11 @@ const Table& platform_keys();
 const Table& material_keys();
 const Table& line_type_keys();
 const Table& line_keys();
+const Table& constraint_keys();
 const Table& analysis_keys();
 const Table& output_keys();
+/// Words of `line_model` and of a family's `model`.
+const std::vector<std::pair<std::string, LineModel>>& line_model_words();
 /// Keys that describe a family rather than its lines.
 const Table& pattern_keys();
 const Table& positions_keys();

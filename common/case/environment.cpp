@@ -24,6 +24,43 @@ const Table& water_keys() {
     return table;
 }
 
+const Table& slope_keys() {
+    static const Table table = [] {
+        Keys<Seabed> k("slope");
+        k.number("angle", &Seabed::slope_angle, angle, "Angle of the bed against the horizontal")
+            .def("0 deg")
+            .at_least(0)
+            .at_most(turn / 8)
+            .eg("2 deg");
+        k.number("direction", &Seabed::slope_direction, angle, "Heading in which the bed rises")
+            .def("0 deg")
+            .at_least(-turn)
+            .at_most(turn);
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& friction_keys() {
+    static const Table table = [] {
+        Keys<Seabed> k("friction");
+        k.number("axial", &Seabed::friction_axial, number, "Coefficient along the line")
+            .def("0.3")
+            .at_least(0)
+            .at_most(5);
+        k.number("lateral", &Seabed::friction_lateral, number, "Coefficient across the line")
+            .def("0.5")
+            .at_least(0)
+            .at_most(5);
+        k.number("mobilisation", &Seabed::friction_mobilisation, length,
+                 "Slide after which friction is fully mobilised")
+            .def("50 mm")
+            .above(0);
+        return k.done();
+    }();
+    return table;
+}
+
 const Table& seabed_keys() {
     static const Table table = [] {
         Keys<Seabed> k("seabed");
@@ -41,8 +78,9 @@ const Table& seabed_keys() {
                  "pulling")
             .def("10 kN.s/m2")
             .at_least(0);
-        k.later("slope", "Slope of the seabed");
-        k.later("friction", "Coulomb friction of lines on the seabed");
+        k.group("slope", slope_keys, "Slope of the seabed; absent: level");
+        k.group("friction", friction_keys,
+                "Coulomb friction of lines on the seabed; none in statics");
         return k.done();
     }();
     return table;

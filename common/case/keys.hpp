@@ -3,6 +3,7 @@
 // reference case and the JSON schema all go through these tables, so a key is declared once.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -29,8 +30,9 @@ enum class Form {
     numbers,  ///< a list of `fewest` to `most` quantities; with fewest = 1 a number alone will do
     matrix,   ///< list of `columns` wide rows, row-major
     rows,     ///< any number of rows of `fewest` to `most` quantities
+    curve,    ///< one quantity, or rows of two: dimensions of the number and of the two columns
     modes,    ///< 6x6 matrix, or a map of its diagonal by surge ... yaw
-    place,    ///< arc length, or "joint n"
+    place,    ///< arc length, "joint n", or a word of `choices`
     map,      ///< a sub-table
     list,     ///< a list of sub-tables
     named,    ///< a map of names to sub-tables
@@ -77,11 +79,18 @@ struct Key {
     bool is_table_later = false;  ///< a table instead of one number: not in this version
     bool is_required = false, is_later = false, is_hidden = false;
     const Table& (*table)() = nullptr;  ///< map, list, named
+    /// Where the dimension follows from another key of the same map: which of `dimensions`.
+    std::function<std::size_t(const void*)> dimension_index;
 
     std::function<void(void*, const Value&)> set;
     std::function<Value(const void*)> get;
     std::function<void*(void*, const std::string&)> open;
     std::function<std::vector<Element>(const void*)> elements;
+
+    /// Dimension of a number in this object.
+    [[nodiscard]] const Dimension& dimension(const void* object) const {
+        return dimensions[dimension_index ? dimension_index(object) : 0];
+    }
 
     Key& only_with(std::string key, std::vector<std::string> values) {
         condition_key = std::move(key);
@@ -167,6 +176,19 @@ template <class T>
 struct is_optional : std::false_type {};
 template <class T>
 struct is_optional<std::optional<T>> : std::true_type {};
+
+inline std::vector<std::array<double, 2>> curve_of(const Value& value) {
+    std::vector<std::array<double, 2>> curve;
+    for (const auto& row : std::get<std::vector<std::vector<double>>>(value)) {
+        curve.push_back({row[0], row[1]});
+    }
+    return curve;
+}
+inline std::vector<std::vector<double>> rows_of(const std::vector<std::array<double, 2>>& curve) {
+    std::vector<std::vector<double>> rows;
+    for (const auto& [x, y] : curve) rows.push_back({x, y});
+    return rows;
+}
 
 template <class M>
 std::vector<double> flat(const M& m) {
@@ -304,6 +326,52 @@ class Keys {
         return key;
     }
 
+    /// A list of numbers, or one alone.
+    template <class A>
+    Key& numbers(std::string name, A access, const Dimension& d, std::size_t fewest,
+                 std::size_t most, std::string sentence) {
+        Key& key = scalar<std::vector<double>>(std::move(name), Form::numbers, access,
+                                               std::move(sentence));
+        key.dimensions = {d};
+        key.fewest = fewest;
+        key.most = most;
+        return key;
+    }
+    /// Rows of two quantities, kept as a Curve.
+    template <class A>
+    Key& points(std::string name, A access, std::vector<Dimension> d, std::string sentence) {
+        Key& key = add(std::move(name), Form::rows, std::move(sentence));
+        key.dimensions = std::move(d);
+        key.fewest = key.most = 2;
+        key.set = [access](void* object, const Value& value) {
+            at(access, object) = keys_detail::curve_of(value);
+        };
+        key.get = [access](const void* object) -> Value {
+            const auto& curve = at(access, const_cast<void*>(object));
+            if (curve.empty()) return {};
+            return keys_detail::rows_of(curve);
+        };
+        return key;
+    }
+    /// A number, or a curve instead of it; dimensions of the number and of the curve's columns.
+    template <class A, class B>
+    Key& curve(std::string name, A number, B curve, std::vector<Dimension> d,
+               std::string sentence) {
+        Key& key = scalar<double>(std::move(name), Form::curve, number, std::move(sentence));
+        key.dimensions = std::move(d);
+        key.fewest = key.most = 2;
+        key.set = [set = key.set, curve](void* object, const Value& value) {
+            if (std::holds_alternative<double>(value)) return set(object, value);
+            at(curve, object) = keys_detail::curve_of(value);
+        };
+        key.get = [get = key.get, curve](const void* object) -> Value {
+            const auto& points = at(curve, const_cast<void*>(object));
+            if (points.empty()) return get(object);
+            return keys_detail::rows_of(points);
+        };
+        return key;
+    }
+
     /// Any form with hand-written access.
     Key& custom(std::string name, Form form, std::vector<Dimension> d, std::string sentence,
                 std::function<void(T&, const Value&)> set, std::function<Value(const T&)> get) {
@@ -433,6 +501,9 @@ class Keys {
             if constexpr (keys_detail::is_optional<P>::value) {
                 if (!place) return {};
                 return static_cast<V>(*place);
+            } else if constexpr (std::is_same_v<P, std::vector<double>>) {
+                if (place.empty()) return {};
+                return place;
             } else {
                 return static_cast<V>(place);
             }

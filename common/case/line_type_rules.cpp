@@ -48,7 +48,8 @@ class Rules {
 
 void complete_pipe(LineTypeKeys& type, const Material* material, const Rules& rules) {
     if (!type.wall_thickness && !type.inner_diameter) rules.missing("wall_thickness");
-    const bool from_material = !type.mass || (!type.EA && !type.viscoelastic) || !type.EI;
+    const bool stretches = type.EA || type.viscoelastic || !type.EA_curve.empty();
+    const bool from_material = !type.mass || !stretches || !type.EI;
     if (!type.material && from_material) {
         rules.missing("material", " (or mass, EA and EI)");
     }
@@ -62,7 +63,9 @@ void complete_pipe(LineTypeKeys& type, const Material* material, const Rules& ru
     const double rho = material != nullptr ? material->density : NAN;
     if (!type.mass) type.mass = rho * steel + coating;
     if (!type.volume_diameter) type.volume_diameter = coated;
-    if (!type.viscoelastic && !type.EA) type.EA = E * steel;
+    if (!type.viscoelastic && !type.EA && type.EA_curve.empty()) type.EA = E * steel;
+    if (!type.yield && material != nullptr) type.yield = material->yield;
+    if (material != nullptr) type.poisson = material->poisson;
     if (!type.EI) type.EI = E * pi / 64.0 * (std::pow(outer, 4) - std::pow(inner, 4));
 }
 
@@ -75,14 +78,14 @@ void complete_chain_or_rope(LineTypeKeys& type, const Rules& rules) {
         rules.choose(type.mass, "mass", (studless ? 19.9e3 : 21.9e3) * d2, "kg/m",
                      studless ? "19.9 d2 t/m, studless" : "21.9 d2 t/m, studlink");
         if (!type.density && !type.volume_diameter) type.density = 7850.0;
-        if (!type.viscoelastic) {
+        if (!type.viscoelastic && type.EA_curve.empty()) {
             rules.choose(type.EA, "EA", (studless ? 0.854e11 : 1.01e11) * d2, "N",
                          studless ? "0.854e8 d2 kN, studless" : "1.01e8 d2 kN, studlink");
         }
     } else if (rope) {
         rules.choose(type.mass, "mass", 678.75 * d2, "kg/m", "polyester rope, 0.679 d2 t/m");
         if (!type.density && !type.volume_diameter) type.density = 1380.0;
-        if (!type.viscoelastic) {
+        if (!type.viscoelastic && type.EA_curve.empty()) {
             rules.choose(type.EA, "EA", 14.0 * 308.2e6 * d2, "N",
                          "polyester rope, 14 times its breaking load 0.308e6 d2 kN");
         }
@@ -94,13 +97,33 @@ void require_given(LineTypeKeys& type, const Rules& rules) {
     if (!type.density && !type.volume_diameter) {
         rules.missing("density", " (or volume_diameter): it gives the buoyancy");
     }
-    if (!type.EA && !type.viscoelastic) rules.missing("EA", " (or viscoelastic)");
+    if (!type.EA && !type.viscoelastic && type.EA_curve.empty())
+        rules.missing("EA", " (or viscoelastic)");
 }
 
 }  // namespace
 
+void check_curve(const Curve& curve, const std::string& path, Problems& problems) {
+    const auto refuse = [&](const std::string& message) {
+        problems.push_back({Severity::error, path, message, {}});
+    };
+    if (curve.empty()) return;
+    if (curve.size() < 2) return refuse("expected at least two rows");
+    if (curve.front()[0] != 0.0 || curve.front()[1] != 0.0) {
+        if (!std::isnan(curve.front()[0]) && !std::isnan(curve.front()[1])) {
+            refuse("the first row must be [0, 0]");
+        }
+    }
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+        if (curve[i][0] <= curve[i - 1][0] || curve[i][1] <= curve[i - 1][1]) {
+            return refuse(fmt::format("row {}: both columns must ascend from row to row", i + 1));
+        }
+    }
+}
+
 void complete_line_type(LineTypeKeys& type, const Material* material, Problems& problems) {
     const Rules rules(type, problems);
+    check_curve(type.EA_curve, "line_types." + type.name + ".EA", problems);
     const bool pipe = type.category == "pipe";
     if (type.category.empty()) return;  // already reported
     if (pipe) {
@@ -174,7 +197,11 @@ LineType line_type(const LineTypeKeys& type) {
     value.outer_diameter = outer + 2.0 * growth;
     value.drag_diameter = reference + 2.0 * growth;
     value.viscoelastic = type.viscoelastic;
-    value.EA = type.viscoelastic ? type.viscoelastic->EA_dynamic : type.EA.value_or(NAN);
+    value.EA_curve = type.EA_curve;
+    // Where there is a curve, its first slope stands for EA.
+    value.EA = type.viscoelastic           ? type.viscoelastic->EA_dynamic
+               : value.EA_curve.size() > 1 ? value.EA_curve[1][1] / value.EA_curve[1][0]
+                                           : type.EA.value_or(NAN);
     value.EI = type.EI.value_or(0.0);
     value.damping_ratio = type.damping_ratio;
     value.axial_damping = type.axial_damping;
@@ -184,6 +211,15 @@ LineType line_type(const LineTypeKeys& type) {
     value.added_mass_normal = type.added_mass_normal;
     value.added_mass_axial = type.added_mass_axial;
     value.breaking_load = type.breaking_load;
+    if (pipe) {
+        value.wall = PipeWall{.outer_diameter = type.outer_diameter.value_or(NAN),
+                              .inner_diameter = inner_diameter(type),
+                              .contents_density = type.contents_density,
+                              .concentration = type.concentration,
+                              .thickness_factor = type.thickness_factor,
+                              .poisson = type.poisson,
+                              .yield = type.yield};
+    }
     return value;
 }
 

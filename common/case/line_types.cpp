@@ -25,10 +25,15 @@ const Table& layer_keys() {
 const Table& viscoelastic_keys() {
     static const Table table = [] {
         Keys<Viscoelastic> k("viscoelastic");
-        Key& model = k.only("model", "standard_linear_solid", {"dual_stiffness", "syrope"},
-                            "Law of the rope");
-        model.fallback.clear();
-        model.required();
+        k.choice("model", &Viscoelastic::model,
+                 std::vector<std::pair<std::string, RopeLaw>>{
+                     {"standard_linear_solid", RopeLaw::standard_linear_solid},
+                     {"dual_stiffness", RopeLaw::dual_stiffness}},
+                 "Law of the rope: stiffness that relaxes in time, or the static stiffness up to "
+                 "the tension of the run's start and the dynamic about it")
+            .required()
+            .later_words({"syrope"})
+            .eg("standard_linear_solid");
         k.number("EA_dynamic", &Viscoelastic::EA_dynamic, force, "Stiffness against fast change")
             .required()
             .above(0)
@@ -39,7 +44,7 @@ const Table& viscoelastic_keys() {
             .eg("451260 kN");
         k.number("relaxation_time", &Viscoelastic::relaxation_time, dimension::time,
                  "Time constant of the tension under a held strain")
-            .required()
+            .needed_with("model", {"standard_linear_solid"})
             .above(0)
             .eg("300 s");
         return k.done();
@@ -72,6 +77,38 @@ const Table& drag_keys() {
     return table;
 }
 
+const Table& stress_keys() {
+    static const Table table = [] {
+        Keys<LineTypeKeys> k("stress");
+        k.number("scf", &LineTypeKeys::concentration, dimension::number,
+                 "Stress concentration factor on axial and bending stress")
+            .def("1")
+            .at_least(1)
+            .at_most(20);
+        k.number("thickness_factor", &LineTypeKeys::thickness_factor, dimension::number,
+                 "Part of the wall that is left for stresses (corrosion)")
+            .def("1")
+            .above(0)
+            .at_most(1);
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& taper_keys() {
+    static const Table table = [] {
+        Keys<TaperKeys> k("taper");
+        k.text("from", &TaperKeys::from, "Line type at the end of the section towards end A")
+            .required()
+            .eg("pipe");
+        k.text("to", &TaperKeys::to, "Line type at the end of the section towards end B")
+            .required()
+            .eg("pipe");
+        return k.done();
+    }();
+    return table;
+}
+
 const Table& added_mass_keys() {
     static const Table table = [] {
         Keys<LineTypeKeys> k("added_mass");
@@ -98,8 +135,13 @@ const Table& material_keys() {
             .required()
             .above(0)
             .eg("7850 kg/m3");
-        k.later("poisson", "Poisson's ratio, for stresses");
-        k.later("yield", "Yield stress, for utilisation");
+        k.number("poisson", &Material::poisson, dimension::number, "Poisson's ratio, for stresses")
+            .def("0.3")
+            .at_least(0)
+            .at_most(0.5);
+        k.number("yield", &Material::yield, stress, "Yield stress, for utilisation")
+            .above(0)
+            .eg("448 MPa");
         return k.done();
     }();
     return table;
@@ -166,11 +208,12 @@ const Table& line_type_keys() {
             .follows("from mass and density; outer diameter of a pipe")
             .above(0)
             .eg("309 mm");
-        k.number("EA", &T::EA, force, "Axial stiffness")
+        k.curve("EA", &T::EA, &T::EA_curve, {force, dimension::number, force},
+                "Axial stiffness; or rows of strain and tension from [0, 0] upwards, straight "
+                "between")
             .or_word("auto")
             .follows("rule of the category")
             .above(0)
-            .table_later()
             .eg("3071190 kN");
         k.number("EI", &T::EI, bending_stiffness, "Bending stiffness")
             .or_word("auto")
@@ -200,9 +243,16 @@ const Table& line_type_keys() {
                  "Breaking load, to check the stiffness against")
             .above(0)
             .eg("24.6 MN");
-        k.later("yield", "Yield stress, for utilisation");
-        k.later("stress", "Stress concentration and corrosion");
-        k.later("taper", "Properties varying along the section");
+        k.number("yield", &T::yield, stress, "Yield stress, for utilisation")
+            .only_with("category", {"pipe"})
+            .follows("that of the material")
+            .above(0)
+            .eg("448 MPa");
+        k.group("stress", stress_keys, "Stress concentration and corrosion")
+            .only_with("category", {"pipe"});
+        k.map("taper", &T::taper, taper_keys,
+              "Properties vary linearly along the section that uses the type; all of them come "
+              "from the two types named here");
         k.rule(KeyRule::Count::at_most_one, {"wall_thickness", "inner_diameter"});
         k.rule(KeyRule::Count::at_most_one, {"damping_ratio", "axial_damping"});
         k.rule(KeyRule::Count::at_most_one, {"EA", "viscoelastic"});

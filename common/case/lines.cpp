@@ -12,6 +12,13 @@ namespace {
 using namespace dimension;
 constexpr double turn = 2.0 * std::numbers::pi;
 
+/// n of "joint n".
+int joint_number(const std::string& text) {
+    int n = 0;
+    std::from_chars(text.data() + 6, text.data() + text.size(), n);
+    return n;
+}
+
 const Table& polar_keys() {
     static const Table table = [] {
         Keys<PolarKeys> k("polar");
@@ -99,7 +106,8 @@ const Table& end_keys() {
         Keys<EndKeys> k("end");
         k.text("platform", &EndKeys::platform, "The end moves with the platform of this name")
             .eg("spar");
-        k.vector("position", &EndKeys::position, {length}, "Place on the platform")
+        k.vector("position", &EndKeys::position, {length},
+                 "Place on the platform; of a free end A, where it is at the design position")
             .eg("[20.5 m, 0 m, -60 m]");
         k.map("polar", &EndKeys::polar, polar_keys, "Place on the platform, by radius and azimuth");
         k.map("anchor", &EndKeys::anchor, anchor_keys, "The end is held on the seabed");
@@ -114,11 +122,12 @@ const Table& end_keys() {
                      {"ball", Joint::ball}, {"clamped", Joint::clamped}, {"flex", Joint::flex}},
                  "No moment, direction held, or rotational spring")
             .def("ball");
-        k.number("rotational_stiffness", &EndKeys::rotational_stiffness,
-                 dimension::rotational_stiffness, "Of a flex joint: moment per angle")
+        k.curve(
+             "rotational_stiffness", &EndKeys::rotational_stiffness, &EndKeys::rotational_curve,
+             {dimension::rotational_stiffness, angle, moment},
+             "Of a flex joint: moment per angle, or rows of angle and moment from [0, 0] upwards")
             .needed_with("joint", {"flex"})
             .at_least(0)
-            .table_later()
             .eg("15 kN.m/deg");
         k.number("direction", &EndKeys::direction, angle,
                  "Axis of a flex joint or clamp: angle from vertical down, in the plane of the "
@@ -174,10 +183,7 @@ const Table& attachment_keys() {
                  if (const auto* s = std::get_if<double>(&v)) {
                      a.arc_length = *s;
                  } else {
-                     const std::string& text = std::get<std::string>(v);  // "joint n"
-                     int n = 0;
-                     std::from_chars(text.data() + 6, text.data() + text.size(), n);
-                     a.joint = n;
+                     a.joint = joint_number(std::get<std::string>(v));
                  }
              },
              [](const AttachmentKeys& a) -> Value {
@@ -203,6 +209,52 @@ const Table& attachment_keys() {
                  "Added mass coefficient on the volume")
             .def("0")
             .at_least(0);
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& sheltered_keys() {
+    static const Table table = [] {
+        Keys<LineKeys> k("sheltered");
+        k.number("above", &LineKeys::sheltered_above, length,
+                 "Height on the platform above which the water moves with the platform")
+            .required()
+            .eg("-70 m");
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& fail_keys() {
+    static const Table table = [] {
+        Keys<FailKeys> k("fail");
+        k.text("line", &FailKeys::line, "Which line of the family")
+            .follows("the only one")
+            .eg("ml1");
+        k.number("time", &FailKeys::time, dimension::time, "When it parts")
+            .required()
+            .at_least(0)
+            .eg("600 s");
+        Key& at = k.custom(
+            "at", Form::place, {length},
+            "Where: an arc length from end A, joint n between two sections, or an end",
+            [](FailKeys& f, const Value& v) {
+                if (const auto* s = std::get_if<double>(&v)) {
+                    f.arc_length = *s;
+                } else if (const auto& text = std::get<std::string>(v); text == "end_b") {
+                    f.end_b = true;
+                } else if (text != "end_a") {
+                    f.joint = joint_number(text);
+                }
+            },
+            [](const FailKeys& f) -> Value {
+                if (f.joint) return "joint " + std::to_string(*f.joint);
+                if (f.arc_length) return *f.arc_length;
+                return std::string(f.end_b ? "end_b" : "end_a");
+            });
+        at.choices = {"end_a", "end_b"};
+        at.def("end_a").at_least(0);
         return k.done();
     }();
     return table;
@@ -294,16 +346,36 @@ const Table& line_keys() {
             .follows("analysis.dynamics.steps.lines")
             .above(0)
             .eg("0.02 s");
-        k.later("sheltered", "Part of the line in water that moves with the platform");
-        k.only("model", "dynamic", {"quasi_static", "catenary", "linear_spring"},
-               "How these lines respond");
-        for (const char* name : {"pretension", "hang_off_angle", "adjust"}) {
-            k.later(name, "Static target of a line");
-        }
-        k.later("constraints", "Tensioners, guides and the like");
+        k.list("constraints", &LineKeys::constraints, constraint_keys,
+               "Tensioners, guides and other constraints along the line, in any order");
+        k.group("sheltered", sheltered_keys,
+                "Part of the line in water that moves with the platform: no wave, no current");
+        k.choice("model", &LineKeys::model, line_model_words(), "How these lines respond")
+            .follows("analysis.dynamics.line_model")
+            .later_words({"linear_spring"})
+            .eg("dynamic");
+        k.number("pretension", &LineKeys::pretension, force,
+                 "Effective tension at end A that statics meets, in still water at the design "
+                 "position, by what `adjust` names")
+            .above(0)
+            .eg("2496 kN");
+        k.number("hang_off_angle", &LineKeys::hang_off_angle, angle,
+                 "Angle of end A from vertical down that statics meets, likewise")
+            .at_least(0)
+            .at_most(turn / 4)
+            .eg("10 deg");
+        k.text("adjust", &LineKeys::adjust,
+               "What statics changes to meet pretension, hang_off_angle or the nominal tension of "
+               "the tensioner: anchor_radius, or length of section n")
+            .eg("length of section 1");
+        k.number("internal_pressure", &LineKeys::internal_pressure, stress,
+                 "Pressure of the contents at end A, for wall tension and stress; their own weight "
+                 "comes on top below it")
+            .def("0 Pa")
+            .at_least(0);
         k.later("reference_temperature", "For wall tension and stress");
-        k.later("internal_pressure", "For wall tension and stress");
-        k.later("fail", "Parting of a line");
+        k.map("fail", &LineKeys::fail, fail_keys, "A line of this family parts");
+        k.rule(KeyRule::Count::at_most_one, {"pretension", "hang_off_angle"});
         k.rule(KeyRule::Count::at_most_one, {"pattern", "positions", "each"});
         return k.done();
     }();

@@ -17,7 +17,10 @@ std::string row(const Key& key, const std::vector<double>& values, std::size_t f
                 std::size_t count) {
     std::vector<std::string> items;
     for (std::size_t i = 0; i < count; ++i) {
-        const Dimension& d = dimension_of(key, key.form == Form::rows ? i : first + i);
+        const std::size_t column = key.form == Form::rows    ? i
+                                   : key.form == Form::curve ? i + 1
+                                                             : first + i;
+        const Dimension& d = dimension_of(key, column);
         items.push_back(print_quantity(values[first + i], d));
     }
     return fmt::format("[{}]", fmt::join(items, ", "));
@@ -48,9 +51,10 @@ std::string matrix(const Key& key, const std::vector<double>& values) {
 }
 
 /// Text of a value, empty if there is nothing to write.
-std::string print(const Key& key, const Value& value) {
+std::string print(const Key& key, const void* object) {
+    const Value value = key.get(object);
     if (const auto* x = std::get_if<double>(&value)) {
-        return print_quantity(*x, key.dimensions.front());
+        return print_quantity(*x, key.dimension(object));
     }
     if (const auto* n = std::get_if<std::int64_t>(&value)) return std::to_string(*n);
     if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
@@ -90,7 +94,7 @@ class Writer {
 
  private:
     std::string line(const Key& key, const void* object, int indent, const std::string& path) {
-        const std::string value = print(key, key.get(object));
+        const std::string value = print(key, object);
         if (value.empty()) return {};
         return fmt::format("{:{}}{}: {}{}\n", "", indent, key.name, value, origin(key, path));
     }

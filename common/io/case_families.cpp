@@ -201,11 +201,6 @@ class Filling {
         if (top == nullptr) {
             problems_.push_back(problem_at(node.place, path, "positions need \"top_z\""));
         }
-        if (free) {
-            problems_.push_back(problem_at(end->place, path + ".end_a",
-                                           "a free end A in \"positions\": not available in this "
-                                           "version"));
-        }
         if (problems_.size() != before || end == nullptr || end->kind != Node::Kind::map ||
             (p.xy.size() > 1 && !has_number(p.names, node.place, path + ".positions"))) {
             out.push_back(line_of(family, family.key));
@@ -222,7 +217,7 @@ class Filling {
             }
             place.items.push_back(*top);
             const bool moves = end->find("platform") != nullptr;
-            line.value.find("end_a")->put(moves ? "position" : "fixed", place);
+            line.value.find("end_a")->put(moves || free ? "position" : "fixed", place);
             out.push_back(std::move(line));
         }
     }

@@ -288,6 +288,12 @@ void unused(const DeclaredCase& declared, const Places& places, const std::strin
         problems.push_back(problem_at(place->second, path, message, Severity::warning));
     };
     for (const LineTypeKeys& type : declared.line_types) {
+        if (type.taper && types.contains(type.name)) {
+            types.insert(type.taper->from);
+            types.insert(type.taper->to);
+        }
+    }
+    for (const LineTypeKeys& type : declared.line_types) {
         if (type.material) materials.insert(*type.material);
         if (!types.contains(type.name)) {
             warn("line_types." + type.name, "no line uses this line type");

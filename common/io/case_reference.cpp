@@ -33,7 +33,9 @@ std::string kind(const Key& key) {
         case Form::modes:
             return "map of surge ... yaw, or 6 rows of 6";
         case Form::place:
-            return "length, or joint n";
+            return key.choices.empty()
+                       ? "length, or joint n"
+                       : fmt::format("length, joint n, {}", fmt::join(key.choices, ", "));
         case Form::map:
             return {};
         case Form::list:
@@ -52,6 +54,12 @@ std::string kind(const Key& key) {
     if (key.form == Form::numbers) text = "list of " + text;
     if (key.form == Form::rows) text = "rows of numbers";
     if (!d.unit.empty() && key.form != Form::rows) text += fmt::format(" [{}]", d.unit);
+    if (key.form == Form::curve) text += ", or rows of numbers";
+    if (key.dimension_index) {
+        for (std::size_t i = 1; i < key.dimensions.size(); ++i) {
+            text += fmt::format(", or {} [{}]", key.dimensions[i].name, key.dimensions[i].unit);
+        }
+    }
     return text;
 }
 

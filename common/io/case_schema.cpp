@@ -172,6 +172,9 @@ class Schema {
         switch (key.form) {
             case Form::number: {
                 Json number = limited(key, quantity(key.dimensions.front()));
+                for (std::size_t i = 1; i < key.dimensions.size(); ++i) {
+                    number = any_of({std::move(number), quantity(key.dimensions[i])});
+                }
                 if (key.word.empty()) return number;
                 return any_of({Json::object().put("const", key.word), std::move(number)});
             }
@@ -202,6 +205,15 @@ class Schema {
                 return any_of({limited(key, quantity(key.dimensions.front())), limited_items(key)});
             case Form::rows:
                 return Json::object().put("type", "array").put("items", row(key));
+            case Form::curve: {
+                Key columns = key;
+                columns.dimensions.erase(columns.dimensions.begin());
+                Json number = limited(key, quantity(key.dimensions.front()));
+                Json curve = Json::object().put("type", "array").put("items", row(columns));
+                if (key.word.empty()) return any_of({std::move(number), std::move(curve)});
+                return any_of(
+                    {Json::object().put("const", key.word), std::move(number), std::move(curve)});
+            }
             case Form::matrix:
                 return matrix(key);
             case Form::modes: {
@@ -217,6 +229,10 @@ class Schema {
                                matrix(key)});
             }
             case Form::place:
+                if (!key.choices.empty()) {
+                    return any_of({Json::object().put("enum", names(key.choices)),
+                                   pattern("joint [1-9][0-9]*"), quantity(key.dimensions.front())});
+                }
                 return any_of({pattern("joint [1-9][0-9]*"), quantity(key.dimensions.front())});
             case Form::map:
                 return loose(key.table());
@@ -323,7 +339,9 @@ class Schema {
             if (key.is_needed) {
                 const Key& other = *table.find(key.condition_key);
                 Json holds = condition(key, other);
-                if (other.is_required) holds.put("required", names({other.name}));
+                if (other.is_required || other.fallback.empty()) {
+                    holds.put("required", names({other.name}));
+                }
                 all.add(Json::object()
                             .put("if", std::move(holds))
                             .put("then", Json::object().put("required", names({key.name}))));

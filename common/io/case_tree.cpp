@@ -135,6 +135,18 @@ class Likes {
     Node whole(const std::string& name, std::vector<std::string>& chain) {
         const Node& own = *map_.find(name);
         const Node* like = own.kind == Node::Kind::map ? own.find("like") : nullptr;
+        // What a tapered type leaves out it takes from the type at its beginning.
+        const Node* taper = own.kind == Node::Kind::map ? own.find("taper") : nullptr;
+        for (const Entry& e : own.entries) {
+            const bool written = taper != nullptr && !e.place.file.empty();
+            if (!written || e.key == "taper" || e.key == "like") continue;
+            problems_.push_back(problem_at(e.place, path_ + "." + name + "." + e.key,
+                                           "does not act: a tapered type is what its two ends are",
+                                           Severity::warning));
+        }
+        if (like == nullptr && taper != nullptr && own.find("category") == nullptr) {
+            like = taper->find("from");
+        }
         Node result;
         result.kind = Node::Kind::map;
         result.place = own.place;
@@ -158,6 +170,7 @@ class Likes {
                                                            suggestion(like->text, known))));
             } else {
                 result = whole(like->text, chain);
+                result.remove("taper");  // a type's own
             }
         }
         const bool partial = like != nullptr && result.entries.empty();

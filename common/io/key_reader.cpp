@@ -66,7 +66,16 @@ void KeyReader::read(const Table& table, const Node& node, void* object, const s
         missing(table, Node{}, object, "");
         return;
     }
-    for (const Entry& e : node.entries) entry(table, e, object, path);
+    // Words first: what a number means may depend on them.
+    const auto is_word = [&table](const Entry& e) {
+        const Key* key = table.find(e.key);
+        return key != nullptr && key->form == Form::choice;
+    };
+    for (const bool words : {true, false}) {
+        for (const Entry& e : node.entries) {
+            if (is_word(e) == words) entry(table, e, object, path);
+        }
+    }
     missing(table, node, object, path);
     rules(table, node, path);
     conditions(table, node, object, path);
@@ -125,7 +134,7 @@ void KeyReader::children(const Key& key, const Node& node, void* object, const s
 void KeyReader::value(const Key& key, const Node& node, void* object, const std::string& path) {
     if (node.kind == Node::Kind::scalar && node.text.find("${") != std::string::npos) {
         failed_.insert(path);  // an unknown parameter, reported already
-        if (key.form == Form::number) key.set(object, NAN);
+        if (key.form == Form::number || key.form == Form::curve) key.set(object, NAN);
         return;
     }
     if (!key.word.empty() && node.kind == Node::Kind::scalar && node.text == key.word) return;
@@ -135,16 +144,20 @@ void KeyReader::value(const Key& key, const Node& node, void* object, const std:
             v = row(key, node, path);
             break;
         case Form::rows: {
-            std::vector<std::vector<double>> rows;
+            v = rows(key, node, path);
+            break;
+        }
+        case Form::curve: {
             if (node.kind != Node::Kind::list) {
-                error(node.place, path,
-                      fmt::format("expected a list of rows, e.g. {}; got {}", key.example_text,
-                                  found(node)));
+                v = number(key, key.dimensions.front(), node, path);
+                break;
             }
-            for (std::size_t i = 0; i < node.items.size(); ++i) {
-                rows.push_back(row(key, node.items[i], fmt::format("{}[{}]", path, i)));
-            }
-            v = std::move(rows);
+            Key columns = key;
+            columns.form = Form::rows;
+            columns.dimensions.erase(columns.dimensions.begin());
+            columns.lower.reset();
+            columns.upper.reset();
+            v = rows(columns, node, path);
             break;
         }
         case Form::matrix:
@@ -165,7 +178,7 @@ void KeyReader::value(const Key& key, const Node& node, void* object, const std:
             break;
         }
         default:
-            v = scalar(key, node, path);
+            v = scalar(key, node, object, path);
     }
     if (!std::holds_alternative<std::monostate>(v)) key.set(object, v);
 }
@@ -176,9 +189,11 @@ void KeyReader::conditions(const Table& table, const Node& node, void* object,
     for (const Key& key : table.keys) {
         if (key.condition_key.empty()) continue;
         const std::string other = path.empty() ? key.condition_key : path + "." + key.condition_key;
+        const Key& decider = *table.find(key.condition_key);
+        const bool due =
+            decider.is_required || (decider.is_needed && table.applies(decider, object));
         const bool unknown =
-            failed_.contains(other) ||
-            (table.find(key.condition_key)->is_required && node.find(key.condition_key) == nullptr);
+            failed_.contains(other) || (due && node.find(key.condition_key) == nullptr);
         if (unknown) continue;  // reported already; what follows from it would be noise
         const Node* given = node.find(key.name);
         const bool applies = table.applies(key, object);
@@ -191,20 +206,37 @@ void KeyReader::conditions(const Table& table, const Node& node, void* object,
             error(node.place, path,
                   fmt::format("required key \"{}\" is missing (with {}: {})", key.name,
                               key.condition_key, words));
-            if (key.form == Form::number) key.set(object, NAN);
+            if (key.form == Form::number || key.form == Form::curve) key.set(object, NAN);
         }
     }
 }
 
-Value KeyReader::scalar(const Key& key, const Node& node, const std::string& path) {
+Value KeyReader::rows(const Key& key, const Node& node, const std::string& path) {
+    std::vector<std::vector<double>> rows;
+    if (node.kind != Node::Kind::list) {
+        error(
+            node.place, path,
+            fmt::format("expected a list of rows, e.g. {}; got {}", key.example_text, found(node)));
+    }
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+        rows.push_back(row(key, node.items[i], fmt::format("{}[{}]", path, i)));
+    }
+    return rows;
+}
+
+Value KeyReader::scalar(const Key& key, const Node& node, const void* object,
+                        const std::string& path) {
     if (node.kind != Node::Kind::scalar && key.form != Form::number && key.form != Form::choice) {
         error(node.place, path, fmt::format("expected one value; got {}", found(node)));
         return {};
     }
     switch (key.form) {
         case Form::number:
-            return number(key, key.dimensions.front(), node, path);
+            return number(key, key.dimension(object), node, path);
         case Form::place:
+            if (std::find(key.choices.begin(), key.choices.end(), node.text) != key.choices.end()) {
+                return node.text;
+            }
             if (node.text.starts_with("joint ")) {
                 int n = 0;
                 const char* end = node.text.data() + node.text.size();
@@ -390,7 +422,7 @@ void KeyReader::missing(const Table& table, const Node& node, void* object,
             }
         } else if (!key.fallback.empty()) {
             value(key, node_of(key.fallback, node.place), object, key.name);
-        } else if (key.form == Form::number && key.is_required) {
+        } else if ((key.form == Form::number || key.form == Form::curve) && key.is_required) {
             key.set(object, NAN);
         }
     }

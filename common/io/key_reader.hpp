@@ -35,7 +35,8 @@ class KeyReader {
     void defaults(const Table& table, void* object, const Place& place, bool required);
     void rules(const Table& table, const Node& node, const std::string& path);
     void conditions(const Table& table, const Node& node, void* object, const std::string& path);
-    Value scalar(const Key& key, const Node& node, const std::string& path);
+    Value scalar(const Key& key, const Node& node, const void* object, const std::string& path);
+    Value rows(const Key& key, const Node& node, const std::string& path);
     double number(const Key& key, const Dimension& dimension, const Node& node,
                   const std::string& path);
     std::string word(const Key& key, const Node& node, const std::string& path);

@@ -1,0 +1,27 @@
+// From the declared line to what holds it, targets of statics and failures.
+#pragma once
+
+#include <optional>
+
+#include "case/declared.hpp"
+
+namespace hawser {
+
+/// Unit vector at an angle from vertical down in the plane of an azimuth [rad].
+Vec3 direction_down(double angle, std::optional<double> azimuth);
+
+/// The one number of a stiffness: the first slope of the curve where there is one.
+double first_slope(const Curve& curve, std::optional<double> number);
+
+/// Constraints and winch of `line`, whose ends and sections are known.
+void line_constraints(const LineKeys& keys, const DeclaredCase& declared, Line& line,
+                      Problems& problems);
+
+/// What statics is to meet, and by what.
+void line_target(const LineKeys& keys, Line& line, Problems& problems);
+
+/// A line that parts.
+void line_failure(const LineKeys& keys, const DeclaredCase& declared, Line& line,
+                  Problems& problems);
+
+}  // namespace hawser

@@ -12,6 +12,7 @@ namespace hawser {
 namespace {
 
 struct Layout {
+    LineModel model;
     int elements;
     EndKind end_a, end_b;
     Joint joint_a, joint_b;
@@ -20,11 +21,12 @@ struct Layout {
     bool operator==(const Layout&) const = default;
 };
 
-Layout layout_of(const Line& line) {
+Layout layout_of(const Line& line, LineModel usual) {
     const LineMesh mesh = mesh_of(line);
     std::vector<ConstraintType> constraints;
     for (const LineConstraint& c : line.constraints) constraints.push_back(c.type);
-    return {.elements = mesh.elements(),
+    return {.model = line.model.value_or(usual),
+            .elements = mesh.elements(),
             .end_a = line.end_a.kind,
             .end_b = line.end_b.kind,
             .joint_a = line.end_a.joint,
@@ -40,7 +42,7 @@ std::vector<Pack> packs_of(const Case& input) {
     std::vector<Layout> layouts;
     for (int i = 0; i < static_cast<int>(input.lines.size()); ++i) {
         const Line& line = input.lines[static_cast<std::size_t>(i)];
-        const Layout layout = layout_of(line);
+        const Layout layout = layout_of(line, input.analysis.dynamics.line_model);
         std::size_t p = 0;
         while (p < packs.size() &&
                !(layouts[p] == layout && packs[p].lines.size() < lanes_per_pack))

@@ -16,7 +16,8 @@ struct Pack {
 };
 
 /// All lines in packs, in the order of each pack's first line. Two lines share a layout when they
-/// have the same number of elements, kinds of ends and joints, and attachments at the same nodes.
+/// have the same model, number of elements, kinds of ends and joints, and attachments at the same
+/// nodes.
 std::vector<Pack> packs_of(const Case& input);
 
 /// Worker (0 ... workers - 1) of each pack: the costliest pack first, each to the worker with least

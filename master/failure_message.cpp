@@ -33,6 +33,19 @@ std::string failure_message(const Status& status, const Case& input, int stage) 
     if (stage > 0) when += fmt::format(", stage {}", stage);
     const std::string cfl =
         known ? fmt::format("largest element CFL number {:.2g}", largest_cfl(*line, input)) : "";
+    const bool in_motion = status.t > 0.0;  // a line without dynamics
+    if (in_motion && status.code == Status::Code::no_equilibrium)
+        return fmt::format(
+            "{}: no static solution there, largest position correction {:.2g} m at {}; likely "
+            "cause: a line pulled taut beyond its length or gone slack, which a line without "
+            "inertia cannot follow; give it the model dynamic",
+            when, status.residual, where);
+    if (in_motion && status.code == Status::Code::false_equilibrium)
+        return fmt::format(
+            "{}: the static solution is compressed or folded, largest correction at {}; likely "
+            "cause: the platform comes down on the line faster than a line without inertia can "
+            "follow; give it the model dynamic",
+            when, where);
     switch (status.code) {
         case Status::Code::ok:
             return when + ": no failure";

@@ -48,6 +48,10 @@ class Sea {
     /// Current alone, for statics: acceleration and eta are zero.
     void sample_current(int n, const double* x, const double* y, const double* z,
                         const WaterKinematics& out) const;
+    /// What the current is multiplied by at time t: 1, or its ramp.
+    [[nodiscard]] double current_factor(double t) const {
+        return ramp_current_ ? ramp_factor(t, ramp_) : 1.0;
+    }
     /// Surface elevation [m], ramped.
     [[nodiscard]] double elevation(double t, double x, double y) const;
     /// Current at height z above mean sea level [m/s].

@@ -80,11 +80,12 @@ HullMotion<V> RodPack<V>::hull_motion(V t, const MotionSpline& platform) const {
     HullMotion<V> out;
     for (int i = 0; i < lanes; ++i) {
         const PlatformMotion m = platform.at(T::get(t, i)).motion;
-        const Vec3 w = angular_velocity(m);
+        const Vec3 w = static_ ? Vec3::Zero() : angular_velocity(m);  // at rest nothing has a rate
         const auto put = [&](Vector<V>& to, const Vec3& x) {
             T::set(to.x, i, x.x()), T::set(to.y, i, x.y()), T::set(to.z, i, x.z());
         };
-        put(out.origin, m.position), put(out.velocity, m.velocity), put(out.spin, w);
+        put(out.origin, m.position), put(out.spin, w);
+        put(out.velocity, static_ ? Vec3::Zero() : m.velocity);
     }
     return out;
 }

@@ -51,6 +51,8 @@ RodPack<V>::RodPack(const Case& input, const Sea& sea, std::vector<int> lines)
       gravity_(input.environment.water.gravity),
       water_density_(input.environment.water.density),
       force_(input.analysis.dynamics.force),
+      model_(input.lines[static_cast<std::size_t>(lines_.front())].model.value_or(
+          input.analysis.dynamics.line_model)),
       ramp_(input.analysis.dynamics.ramp),
       platform_step_(input.analysis.dynamics.platform_step),
       wave_step_(input.analysis.dynamics.wave_step),
@@ -84,6 +86,11 @@ RodPack<V>::RodPack(const Case& input, const Sea& sea, std::vector<int> lines)
     middles_.resize(N);
     correction_.resize(N + 1);
     lambda_correction_.resize(N);
+    if (model_ == LineModel::quasi_static) {
+        reached_.resize(N + 1);
+        reached_lambda_.resize(2 * N + 1);
+    }
+    hanging_stiffness_.assign(static_cast<std::size_t>(lanes), Mat3::Zero());
     const std::size_t samples = lines_.size() * N * gauss_points;
     for (auto* v : {&xs_, &ys_, &zs_, &ux_, &uy_, &uz_, &ax_, &ay_, &az_, &eta_})
         v->resize(samples);
@@ -102,8 +109,9 @@ void RodPack<V>::set_properties(const Case& input) {
         const int N = mesh.elements();
         properties_.resize(static_cast<std::size_t>(N));
         for (int n = 0; n < N; ++n) {  // counted from end B
-            const ElementProperties<double> p =
+            ElementProperties<double> p =
                 element_properties(input, line, mesh, N - 1 - n, travel_time);
+            if (model_ != LineModel::dynamic) p.c_damper = p.Db = 0.0;  // no rates at rest
             ElementProperties<V>& to = properties_[static_cast<std::size_t>(n)];
             const auto set = [&](V& v, double x) { T::set(v, i, x); };
             set(to.L, p.L), set(to.B, p.B), set(to.Db, p.Db), set(to.m, p.m);

@@ -67,6 +67,10 @@ struct NewtonControl {
         0.005;  ///< largest nodal position correction that needs no further iteration [m]
     int max_iterations = 8;
     int max_halvings = 6;
+    /// The same of a quasi-static pass, and parts into which the platform's way is cut at most
+    double still_tolerance = 1e-6;
+    int still_iterations = 30;
+    int still_parts = 64;
 };
 
 template <class V>
@@ -86,6 +90,7 @@ class RodPack {
     /// to end A.
     void set_guess(int lane, const std::vector<CatenaryNode>& nodes);
     /// One pass from the kept state at t0 to t1 along the spline; the result is the working state.
+    /// Quasi-static lines and catenaries are found at rest at t1 (README.md, "Line models").
     /// A line that fails stays where it failed, the others finish; the first failed line, in line
     /// order, is told.
     Status pass(double t0, double t1, const MotionSpline& platform);
@@ -160,6 +165,17 @@ class RodPack {
     void accept(Mask accepted, V h, V t_new);
     void add_to_fit(int lane, int i, int n, const MotionSpline& platform);
 
+    // quasi_static.cpp
+    Status still_pass(double t0, double t1, const MotionSpline& platform);
+    Mask still_attempt(Mask wanted, double t0, double t1, V t, const MotionSpline& platform);
+    void start_still(Mask from_prediction, V ahead);
+    void current_at(double t);
+
+    // catenary_lines.cpp
+    std::vector<CatenaryElement> catenary_elements(int lane) const;
+    Status hang(double t0, double t1, const MotionSpline& platform);
+    bool hang_lane(int lane, double t, const MotionSpline& platform);
+
     // solve.cpp
     void solve(V a0, V a1);
     void update_trial(Mask iterating, V a0, V a1, V part, V limit, V& correction, V& finite);
@@ -198,7 +214,7 @@ class RodPack {
     Mask guess_under_tension(int lane, const LineConstraint& tensioner, const PlatformMotion& pose,
                              const Vec3& foot, const std::vector<CatenaryElement>& elements);
     Mask static_newton(const PlatformMotion& pose, bool current, Mask wanted, double part = 1.0);
-    Mask false_equilibria() const;
+    Mask false_equilibria(const RodState<V>& state) const;
     Status status_of(Mask bad, Status::Code code, double t) const;
     void finish_statics(Mask good);
 
@@ -208,6 +224,7 @@ class RodPack {
     Bed bed_;
     double gravity_ = 9.80665, water_density_ = 1025.0;
     ForceFit force_ = ForceFit::instantaneous;
+    LineModel model_ = LineModel::dynamic;
     std::array<Vec6, static_cast<std::size_t>(lanes)> fitted_{};
     double ramp_ = 0.0, platform_step_ = 0.5, wave_step_ = 0.25;
     V line_step_{};
@@ -221,6 +238,9 @@ class RodPack {
     PointLaw<V> spring_a_;
     std::vector<PlacedConstraint<V>> constraints_;
     HullMotion<V> hull_;
+    std::vector<TrialNode<V>> reached_;  ///< quasi-static: last good shape on the platform's way
+    std::vector<V> reached_lambda_;
+    std::vector<Mat3> hanging_stiffness_;  ///< catenary: of end A, per lane [N/m]
     bool friction_on_ = true;
     bool law_on_ = true;
     Mask guessed_;  ///< lanes with a guess of their own

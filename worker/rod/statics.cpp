@@ -199,12 +199,12 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wa
 }
 
 template <class V>
-auto RodPack<V>::false_equilibria() const -> Mask {
+auto RodPack<V>::false_equilibria(const RodState<V>& state) const -> Mask {
     // Newton finds any equilibrium. Accept it only if the rod is in tension, does not fold inside
     // an element, and is neither stretched nor squeezed beyond reason.
     Mask bad = LaneTraits<V>::none();
-    const NodeState<V>* node = kept_.nodes();
-    const Multiplier<V>* lambda = kept_.lambda();
+    const NodeState<V>* node = state.nodes();
+    const Multiplier<V>* lambda = state.lambda();
     V strongest(0.0);
     for (std::size_t i = 0; i < lambda_.size(); ++i) strongest = max(strongest, abs(lambda[i].now));
     for (std::size_t n = 0; n < trial_.size(); ++n) {
@@ -281,8 +281,8 @@ Status RodPack<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
         head.axis_a =
             select(axis_is_static_a_, tangent(kept_.nodes()[trial_.size() - 1].d), head.axis_a);
         head.axis_b = select(axis_is_static_b_, tangent(kept_.nodes()[0].d), head.axis_b);
-        if (any(false_equilibria()))
-            return status_of(false_equilibria(), Status::Code::false_equilibrium, 0.0);
+        if (any(false_equilibria(kept_)))
+            return status_of(false_equilibria(kept_), Status::Code::false_equilibrium, 0.0);
         pose_ = design;
         started_ = true;
     }
@@ -311,8 +311,8 @@ Status RodPack<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
         if (any(everything_of(solved)))
             return status_of(everything_of(solved), Status::Code::no_equilibrium, 0.0);
     }
-    if (any(false_equilibria()))
-        return status_of(false_equilibria(), Status::Code::false_equilibrium, 0.0);
+    if (any(false_equilibria(kept_)))
+        return status_of(false_equilibria(kept_), Status::Code::false_equilibrium, 0.0);
     pose_ = pose;
     finish_statics(used_);
     for (int i = 0; i < static_cast<int>(lines_.size()); ++i)

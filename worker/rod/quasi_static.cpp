@@ -1,0 +1,166 @@
+// Quasi-static lines (rod-numerics 9.1): the same rods, nodes and constraints with a = v = 0. A
+// pass is one static solution at its end: current drag alone, no waves; what remembers goes on, the
+// creep of a rope by one step R:4 of the pass's length, the friction springs by the way slid in it.
+#include <algorithm>
+#include <array>
+
+#include "rod/rod_pack.hpp"
+
+namespace hawser::worker {
+
+namespace {
+constexpr double longest_correction = 50.0;  // [m]
+}  // namespace
+
+template <class V>
+void RodPack<V>::start_still(Mask from_prediction, V ahead) {
+    // The kept shape, moved on at the rate of its last pass; the others where they stopped.
+    const NodeState<V>* node = kept_.nodes();
+    const Multiplier<V>* lambda = kept_.lambda();
+    const V stretch = ahead / kept_.head().h;
+    for (std::size_t n = 0; n < trial_.size(); ++n) {
+        const TrialNode<V>& good = reached_[n];
+        const Vector<V> r = node[n].r + ahead * node[n].v, d = node[n].d + ahead * node[n].vd;
+        trial_[n] = {.r = select(from_prediction, r, good.r),
+                     .d = select(from_prediction, d, good.d),
+                     .v = {},
+                     .vd = {},
+                     .a = {},
+                     .ad = {}};
+    }
+    for (std::size_t i = 0; i < lambda_.size(); ++i)
+        lambda_[i] =
+            select(from_prediction, lambda[i].now + stretch * (lambda[i].now - lambda[i].before),
+                   reached_lambda_[i]);
+}
+
+template <class V>
+void RodPack<V>::current_at(double t) {
+    const double factor = sea_->current_factor(t);
+    current_only(factor > 0.0);
+    if (factor == 1.0) return;
+    for (Water<V>& w : water_) w.u = V(factor) * w.u;
+}
+
+template <class V>
+auto RodPack<V>::still_attempt(Mask wanted, double t0, double t1, V t, const MotionSpline& platform)
+    -> Mask {
+    end_a_ = end_values(place_a_, kept_.head().axis_a, t, platform);
+    end_b_ = end_values(place_b_, kept_.head().axis_b, t, platform);
+    if (place_a_.prescribed()) trial_.back().r = end_a_.position;
+    if (place_b_.prescribed()) trial_.front().r = end_b_.position;
+    friction_on_ = true;
+
+    Mask iterating = wanted, solved = LaneTraits<V>::none();
+    RodHead<V>& head = working_.head();
+    for (int i = 0; i < newton.still_iterations && any(iterating); ++i) {
+        V correction, finite;
+        // the first correction brings every point to within centimetres of its place
+        if (i < 2) current_at(t1);
+        if (!constraints_.empty()) place_constraints(kept_, V(t0), t, platform, false);
+        solve(V(0.0), V(0.0));
+        update_trial(iterating, V(0.0), V(0.0), V(1.0), V(longest_correction), correction, finite);
+        head.force_a = select(iterating, reaction_a_, head.force_a);
+        head.force_b = select(iterating, reaction_b_, head.force_b);
+        head.moment_a = select(iterating, moment_a_, head.moment_a);
+        head.moment_b = select(iterating, moment_b_, head.moment_b);
+        settle_constraints(iterating);
+        const Mask sound = iterating & (finite <= V(0.0));
+        const Mask done = sound & (correction <= V(newton.still_tolerance));
+        solved = solved | done;
+        iterating = sound & !done;
+    }
+    return solved;
+}
+
+template <class V>
+Status RodPack<V>::still_pass(double t0, double t1, const MotionSpline& platform) {
+    using T = LaneTraits<V>;
+    static_ = true;
+    working_ = kept_;
+    ++work_.passes;
+    ++work_.steps;
+    work_.rod_time += t1 - t0;
+    const double H = t1 - t0;
+    prepare_material(kept_, V(H));
+
+    // Straight to t1 as a rule; a lane that fails goes there in parts of the platform's way, which
+    // lead Newton's iteration and leave no other trace.
+    struct Walk {
+        double reached = 0.0, part = 1.0;
+        int tried = 0;
+    };
+    std::array<Walk, static_cast<std::size_t>(lanes)> walk;
+    Mask active = used_, solved = T::none(), fresh = used_;
+    Status failed;
+    const NodeState<V>* before = kept_.nodes();
+    for (std::size_t n = 0; n < trial_.size(); ++n)
+        reached_[n] = {.r = before[n].r, .d = before[n].d, .v = {}, .vd = {}, .a = {}, .ad = {}};
+    for (std::size_t i = 0; i < lambda_.size(); ++i) reached_lambda_[i] = kept_.lambda()[i].now;
+
+    while (any(active)) {
+        V t(t1);
+        for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
+            const Walk& w = walk[static_cast<std::size_t>(i)];
+            const double q = w.reached + w.part;
+            T::set(t, i, q < 1.0 ? t0 + q * H : t1);
+        }
+        start_still(fresh, V(H));
+        const Mask good = still_attempt(active, t0, t1, t, platform);
+        for (std::size_t n = 0; n < trial_.size(); ++n) {
+            reached_[n].r = select(good, trial_[n].r, reached_[n].r);
+            reached_[n].d = select(good, trial_[n].d, reached_[n].d);
+        }
+        for (std::size_t i = 0; i < lambda_.size(); ++i)
+            reached_lambda_[i] = select(good, lambda_[i], reached_lambda_[i]);
+        keep_constraints(good, working_);
+        fresh = T::none();
+        for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
+            if (!T::get(active, i)) continue;
+            Walk& w = walk[static_cast<std::size_t>(i)];
+            ++w.tried;
+            if (T::get(good, i)) {
+                w.reached += w.part;
+                if (w.reached >= 1.0) {
+                    T::set(solved, i, true);
+                    T::set(active, i, false);
+                }
+            } else if (w.tried < newton.still_parts) {
+                if (w.tried > 1) w.part *= 0.5;  // once again from the kept shape itself
+            } else {
+                Mask bad = T::none();
+                T::set(bad, i, true);
+                if (failed.ok() || lines_[static_cast<std::size_t>(i)] < failed.line)
+                    failed = status_of(bad, Status::Code::no_equilibrium, T::get(t, i));
+                T::set(active, i, false);
+            }
+        }
+    }
+
+    for (std::size_t n = 0; n < trial_.size(); ++n) {
+        trial_[n].r = reached_[n].r, trial_[n].d = reached_[n].d;
+        trial_[n].v = trial_[n].vd = trial_[n].a = trial_[n].ad = Vector<V>{};
+    }
+    for (std::size_t i = 0; i < lambda_.size(); ++i) lambda_[i] = reached_lambda_[i];
+    accept(solved, V(H), V(t1));
+    NodeState<V>* after = working_.nodes();
+    const V per_time(1.0 / H);
+    for (std::size_t n = 0; n < trial_.size(); ++n) {  // the rate at which the shape changes
+        after[n].v = select(solved, per_time * (after[n].r - before[n].r), after[n].v);
+        after[n].vd = select(solved, per_time * (after[n].d - before[n].d), after[n].vd);
+    }
+    const Mask wrong = false_equilibria(working_) & solved;
+    if (any(wrong)) {
+        const Status untrue = status_of(wrong, Status::Code::false_equilibrium, t1);
+        if (failed.ok() || untrue.line < failed.line) failed = untrue;
+    }
+    const Vec3 reference = platform.at(t1).motion.position;
+    for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
+        fitted_[static_cast<std::size_t>(i)] = wrench(i, reference);
+    return failed;
+}
+
+template Status RodPack<Single>::still_pass(double, double, const MotionSpline&);
+template Status RodPack<Quad>::still_pass(double, double, const MotionSpline&);
+
+}  // namespace hawser::worker

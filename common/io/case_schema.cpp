@@ -352,9 +352,14 @@ class Schema {
             if (key.form == Form::list) {
                 inner = Json::object().put("items", std::move(inner));
             } else if (key.form == Form::named) {
-                Json like = Json::object().put("required", names({"like"}));
-                inner = Json::object().put("additionalProperties",
-                                           any_of({std::move(like), std::move(inner)}));
+                // What like and taper name brings the rest.
+                std::vector<Json> ways;
+                for (const char* source : {"like", "taper"}) {
+                    if (key.table().find(source) == nullptr) continue;
+                    ways.push_back(Json::object().put("required", names({source})));
+                }
+                ways.push_back(std::move(inner));
+                inner = Json::object().put("additionalProperties", any_of(std::move(ways)));
             }
             properties.put(key.name, std::move(inner));
         }

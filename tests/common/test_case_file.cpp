@@ -149,7 +149,7 @@ TEST(LineTypes, CoatingAndGrowthAddMassVolumeAndDrag) {
 
 TEST(TrussSpar, TwelveLinesStandInThreeGroups) {
     const Case c = read(spar);
-    ASSERT_EQ(c.lines.size(), 16U);
+    ASSERT_EQ(c.lines.size(), 20U);
     const double deg = std::numbers::pi / 180;
     const double expected[] = {-7.5,  -2.5,  2.5,   7.5,   112.5, 117.5,
                                122.5, 127.5, 232.5, 237.5, 242.5, 247.5};
@@ -165,9 +165,56 @@ TEST(TrussSpar, TwelveLinesStandInThreeGroups) {
         EXPECT_EQ(l.attachments[0].arc_length, 91.0);
         EXPECT_EQ(l.attachments[1].arc_length, 91.0 + 2286.0);
     }
-    EXPECT_EQ(c.lines[12].name, "scr_oil");
-    EXPECT_EQ(c.lines[12].family, "scr");
-    EXPECT_NEAR(c.lines[12].azimuth, 60 * deg, 1e-15);
+    EXPECT_EQ(c.lines[16].name, "scr_oil");
+    EXPECT_EQ(c.lines[16].family, "scr");
+    EXPECT_NEAR(c.lines[16].azimuth, 60 * deg, 1e-15);
+}
+
+TEST(TrussSpar, FourTopTensionedRisersHangInTheirTensionersAndSlideThroughSixGuides) {
+    const Case c = read(spar);
+    const double corners[][2] = {{4.5, 4.5}, {-4.5, 4.5}, {-4.5, -4.5}, {4.5, -4.5}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Line& l = c.lines[12 + i];
+        EXPECT_EQ(l.name, "ttr" + std::to_string(i + 1));
+        const double x = corners[i][0], y = corners[i][1];
+        EXPECT_EQ(l.end_a.kind, EndKind::free);
+        EXPECT_EQ(l.end_a.position, Vec3(x, y, 22));
+        EXPECT_EQ(l.end_b.position, Vec3(x, y, -1500));
+        EXPECT_EQ(l.end_b.joint, Joint::clamped);
+        EXPECT_EQ(l.length(), 1522);
+        EXPECT_EQ(l.sheltered_above, -70.0);
+        EXPECT_EQ(l.target.adjust, StaticTarget::Adjust::section_length);
+        EXPECT_EQ(l.target.section, 4);
+        ASSERT_EQ(l.constraints.size(), 7U);
+        const LineConstraint& tensioner = l.constraints[0];
+        EXPECT_EQ(tensioner.type, ConstraintType::tensioner);
+        EXPECT_EQ(tensioner.position, Vec3(x, y, 22));
+        EXPECT_EQ(tensioner.arc_length, 0.0);
+        EXPECT_EQ(tensioner.nominal_tension, 5338e3);
+        EXPECT_EQ(tensioner.exponent, 1.1);
+        EXPECT_EQ(tensioner.stroke_max, 4.5);
+        const double z[] = {-95, -115, -135, -165, -172, -174};
+        const char* names[] = {"plate1", "plate2", "plate3", "plate4", "keel.upper", "keel.lower"};
+        for (std::size_t k = 0; k < 6; ++k) {
+            const LineConstraint& guide = l.constraints[k + 1];
+            EXPECT_EQ(guide.type, ConstraintType::guide);
+            EXPECT_EQ(guide.name, names[k]);
+            EXPECT_EQ(guide.position, Vec3(x, y, z[k]));
+            EXPECT_EQ(guide.gap, 0.025);
+            EXPECT_FALSE(guide.arc_length);
+        }
+        const auto name = [&c](int type) {
+            return c.line_types.at(static_cast<std::size_t>(type)).name;
+        };
+        EXPECT_EQ(name(l.sections[1].type) + ">" + name(l.sections[1].type_at_end), "ttr>ttr_keel");
+        EXPECT_EQ(name(l.sections[3].type) + ">" + name(l.sections[3].type_at_end), "ttr_keel>ttr");
+        EXPECT_EQ(l.sections[4].type_at_end, -1);
+    }
+    const PipeWall wall = *c.line_types[2].wall;
+    EXPECT_EQ(wall.outer_diameter, 0.406);
+    EXPECT_NEAR(wall.inner_diameter, 0.356, 1e-15);
+    EXPECT_EQ(wall.contents_density, 1025);
+    EXPECT_EQ(wall.yield, 448e6);
 }
 
 // 10 deg from vertical down, in the plane of the riser's azimuth, along increasing arc length.

@@ -1,27 +1,25 @@
-// Laws that act on the slope of a rod's end: flex joint R:31 and clamp. A law knows the slope d =
-// dr/ds and the joint's axis k (unit) only; where it sits is the placement's business.
+// Laws that act on the slope of a rod, at an end or between the ends: flex joint R:31 and clamp. A
+// law knows the slope d = dr/ds and the joint's axis k (unit, both from end B to end A) only; where
+// it sits is the placement's business. The force on the slope gives the rod the moment d x force
+// [N.m]; what holds the joint feels the opposite one.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <variant>
 
-#include "rod/vector3.hpp"
+#include "constraint/constraint_load.hpp"
+#include "constraint/piecewise_linear.hpp"
 
 namespace hawser::worker {
 
-/// What a law gives back: force conjugate to the slope [N.m], its stiffness, and stored energy
-/// [N.m].
-template <class V>
-struct ConstraintLoad {
-    Vector<V> force;         ///< on the slope: minus the gradient of energy
-    Symmetric<V> stiffness;  ///< -d force/d slope, positive semidefinite
-    V energy{};
-};
-
-/// Elastic joint with moment M = stiffness theta, theta the angle between axis and tangent, R:31.
+/// Elastic joint with a moment M(theta), theta the angle between axis and tangent, R:31: M =
+/// stiffness theta, or a table that starts at (0, 0).
 template <class V>
 struct FlexJoint {
     V stiffness;  ///< [N.m/rad]
+    /// Moment [N.m] over angle [rad] of each lane; empty: linear.
+    std::array<PiecewiseLinear, static_cast<std::size_t>(LaneTraits<V>::count)> table = {};
 };
 
 /// Direction held by a stiff spring on the slope component across the axis.
@@ -49,7 +47,28 @@ inline void angle_ratios(V sine, V cosine, V& over_sine, V& over_tangent) {
     }
 }
 
-/// R:31  energy = 1/2 kt theta^2; force on the slope = -M n/|d|, n = (t cos theta - k)/sin theta.
+/// Moment of a flex joint over its angle, its slope there, and energy.
+template <class V>
+struct JointMoment {
+    V secant, slope, energy;  ///< M/theta, dM/dtheta [N.m/rad], integral of M [J]
+};
+template <class V>
+JointMoment<V> moment_at(const FlexJoint<V>& joint, V theta) {
+    using T = LaneTraits<V>;
+    JointMoment<V> out{joint.stiffness, joint.stiffness, V(0.5) * joint.stiffness * theta * theta};
+    for (int i = 0; i < T::count; ++i) {
+        const PiecewiseLinear& table = joint.table[static_cast<std::size_t>(i)];
+        if (table.empty()) continue;
+        const double angle = T::get(theta, i);
+        const PiecewiseLinear::Value v = table.at(angle);
+        T::set(out.secant, i, angle < 1e-9 ? v.slope : v.y / angle);
+        T::set(out.slope, i, v.slope);
+        T::set(out.energy, i, v.integral);
+    }
+    return out;
+}
+
+/// R:31  energy = int M dtheta; force on the slope = -M n/|d|, n = (t cos theta - k)/sin theta.
 /// The parts of the tangent along t are left out: they are indefinite.
 template <class V>
 ConstraintLoad<V> load(const FlexJoint<V>& joint, const Vector<V>& d, const Vector<V>& k) {
@@ -60,16 +79,16 @@ ConstraintLoad<V> load(const FlexJoint<V>& joint, const Vector<V>& d, const Vect
     const V sine = sqrt(dot(across, across));
     V over_sine, over_tangent;
     angle_ratios(sine, cosine, over_sine, over_tangent);
+    const JointMoment<V> M = moment_at(joint, over_sine * sine);
 
     ConstraintLoad<V> out;
-    out.force = (joint.stiffness * over_sine / length) * (k - cosine * t);
-    const V scale = joint.stiffness / (length * length);
-    out.stiffness = Symmetric<V>::scaled_identity(scale * over_tangent);
-    out.stiffness.add_outer(-scale * over_tangent, t);
+    out.force = (M.secant * over_sine / length) * (k - cosine * t);
+    const V scale = V(1.0) / (length * length), around = M.secant * over_tangent;
+    out.stiffness = Symmetric<V>::scaled_identity(scale * around);
+    out.stiffness.add_outer(-scale * around, t);
     const Vector<V> n = (V(1.0) / max(sine, V(1e-12))) * (cosine * t - k);
-    out.stiffness.add_outer(scale * (V(1.0) - over_tangent), n);
-    const V theta = over_sine * sine;
-    out.energy = V(0.5) * joint.stiffness * theta * theta;
+    out.stiffness.add_outer(scale * (M.slope - around), n);
+    out.energy = M.energy;
     return out;
 }
 

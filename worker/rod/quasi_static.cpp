@@ -57,7 +57,10 @@ auto RodPack<V>::still_attempt(Mask wanted, double t0, double t1, V t, const Mot
         V correction, finite;
         // the first correction brings every point to within centimetres of its place
         if (i < 2) current_at(t1);
-        if (!constraints_.empty()) place_constraints(kept_, V(t0), t, platform, false);
+        if (!constraints_.empty()) {
+            place_constraints(kept_, V(t0), t, platform, false);
+            evaluate_constraints(V(0.0));
+        }
         solve(V(0.0), V(0.0));
         update_trial(iterating, V(0.0), V(0.0), V(1.0), V(longest_correction), correction, finite);
         head.force_a = select(iterating, reaction_a_, head.force_a);
@@ -78,6 +81,7 @@ Status RodPack<V>::still_pass(double t0, double t1, const MotionSpline& platform
     using T = LaneTraits<V>;
     static_ = true;
     working_ = kept_;
+    begin_impulses(t1 - t0);
     ++work_.passes;
     ++work_.steps;
     work_.rod_time += t1 - t0;
@@ -113,7 +117,7 @@ Status RodPack<V>::still_pass(double t0, double t1, const MotionSpline& platform
         }
         for (std::size_t i = 0; i < lambda_.size(); ++i)
             reached_lambda_[i] = select(good, lambda_[i], reached_lambda_[i]);
-        keep_constraints(good, working_);
+        keep_constraints(good, V(H), kept_, working_);
         fresh = T::none();
         for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
             if (!T::get(active, i)) continue;
@@ -157,6 +161,8 @@ Status RodPack<V>::still_pass(double t0, double t1, const MotionSpline& platform
     const Vec3 reference = platform.at(t1).motion.position;
     for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
         fitted_[static_cast<std::size_t>(i)] = wrench(i, reference);
+    for (std::size_t c = 0; c < constraints_.size(); ++c)
+        constraints_[c].fitted = working_.constraints()[c].force;
     return failed;
 }
 

@@ -6,22 +6,11 @@
 
 #include "environment/ramp.hpp"
 #include "line_mesh.hpp"
+#include "rod/lane_access.hpp"
 
 namespace hawser::worker {
 
 namespace {
-
-template <class V>
-Vec3 lane_vector(const Vector<V>& x, int lane) {
-    using T = LaneTraits<V>;
-    return {T::get(x.x, lane), T::get(x.y, lane), T::get(x.z, lane)};
-}
-
-template <class V>
-void set_lane_vector(Vector<V>& to, int lane, const Vec3& x) {
-    using T = LaneTraits<V>;
-    T::set(to.x, lane, x.x()), T::set(to.y, lane, x.y()), T::set(to.z, lane, x.z());
-}
 
 /// Harmonic motion of an end, times the ramp, with its exact derivatives.
 PointMotion harmonic(const EndMotion& motion, double t, double ramp) {
@@ -166,6 +155,9 @@ void RodPack<V>::set_slope_law(const EndPlace& place, SlopeLaw<V>& law,
     for (int i = 0; i < lanes; ++i)
         LaneTraits<V>::set(flex.stiffness, i,
                            place.end[static_cast<std::size_t>(i)].rotational_stiffness);
+    for (std::size_t i = 0; i < flex.table.size(); ++i)
+        if (!place.end[i].rotational_curve.empty())
+            flex.table[i] = PiecewiseLinear(place.end[i].rotational_curve);
     law = flex;
 }
 
@@ -233,7 +225,7 @@ Vec6 RodPack<V>::wrench(int lane, const Vec3& reference) const {
         const Vec3 force = -lane_vector(state.force, lane);
         const Vec3 lever = lane_vector(state.point, lane) - reference;
         out.head<3>() += force;
-        out.tail<3>() += lever.cross(force);
+        out.tail<3>() += lever.cross(force) - lane_vector(state.moment, lane);
     }
     return out;
 }

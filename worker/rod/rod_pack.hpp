@@ -6,10 +6,13 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "case/case.hpp"
-#include "constraint/contact_laws.hpp"
+#include "constraint/along_rod.hpp"
+#include "constraint/point_laws.hpp"
+#include "constraint/slope_laws.hpp"
 #include "environment/sea.hpp"
 #include "lines.hpp"
 #include "packing.hpp"
@@ -35,24 +38,41 @@ struct EndValues {
     Vector<V> position, velocity, acceleration, axis;
 };
 
-/// The platform's reference point and turning at the time of a step, per lane.
+/// The platform before and after a step, per lane.
 template <class V>
 struct HullMotion {
-    Vector<V> origin, velocity, spin;
+    struct Pose {
+        Vec3 position = Vec3::Zero();
+        Mat3 turned = Mat3::Identity();
+    };
+    std::array<Pose, static_cast<std::size_t>(LaneTraits<V>::count)> before, now;
+    Vector<V> origin, velocity, spin;  ///< of the reference point after the step
 };
 
-/// A constraint along the rods of a pack: its law, its places (one per lane) and what a step knows
-/// of it.
+/// A contact point of a constraint along the rods of a pack: its laws, its places (one per lane)
+/// and what a step knows of it. A pull tube has several, every other constraint one.
 template <class V>
 struct PlacedConstraint {
     Law<V> law;
-    std::vector<LineConstraint> at;  ///< one per lane
-    V element{}, xi{};               ///< where it touches during the step
-    Vector<V> place, axis;           ///< on world axes at the end of the step
-    V slide_start{}, friction{};     ///< g.k before the step [m]; friction spring before it [m]
+    SlopeLaw<V> joint;               ///< of a flex joint or a clamp
+    int declared = 0;                ///< index into Line::constraints
+    std::vector<LineConstraint> at;  ///< one per lane; of a pull tube its point and tangent there
+    V on_platform{};                 ///< 1: moves with the platform, 0: stands on the earth
+    typename LaneTraits<V>::Mask axis_is_static = LaneTraits<V>::none();  ///< of the joint
+    V element{}, xi{};                  ///< where it touches during the step
+    Vector<V> place, axis, joint_axis;  ///< on world axes at the end of the step
+    std::vector<Vector<V>> cylinders;   ///< of a tensioner: their points less the place
+    V slide_start{};                    ///< g.k of the material point before the step [m]
+    V friction{}, stroke{};             ///< friction spring and stroke before the step [m]
+    ConstraintMotion<V> motion;         ///< at the last trial values
     ConstraintReading<V> reading;
-    Vector<V> force, point;      ///< carried to the solution of the linear system
-    ConstraintState<V> settled;  ///< of each lane's own last iteration
+    ConstraintLoad<V> joint_load;
+    Vector<V> point, slope;  ///< of the rod there: r, r'
+    /// Carried to the solution of the linear system: force, force on the slope, moment of the joint
+    Vector<V> force, slope_force, moment;
+    ConstraintState<V> settled;     ///< of each lane's own last iteration
+    Vector<V> fitted;               ///< force as the pass returns it (P:5)
+    std::array<Vector<V>, 3> used;  ///< the same of the passes before the kept one, R:40
 };
 
 /// Work done, for tests and the benchmark.
@@ -71,6 +91,10 @@ struct NewtonControl {
     double still_tolerance = 1e-6;
     int still_iterations = 30;
     int still_parts = 64;
+    /// A contact is settled when its law's force at the solution differs from the force that the
+    /// solution holds by less than this part of it and `constraint_force` [N].
+    double constraint_part = 0.01, constraint_force = 1e3;
+    int constraint_iterations = 5;  ///< beyond which only positions count
 };
 
 template <class V>
@@ -122,11 +146,24 @@ class RodPack {
     /// Static stiffness about `reference`: -d(wrench)/d(position, rotation vector) [6 x 6], R:25.
     [[nodiscard]] Mat6 stiffness(int lane, const Vec3& reference);
 
-    /// Constraint c of a lane in the working state: force on the rod [N], normal force or tension
-    /// [N], gap left or stroke [m].
+    /// Constraint c of a lane (index into Line::constraints) in the working state: force [N] and
+    /// moment about its point [N.m] on the rod - its support feels the opposite ones - and that
+    /// point [m].
     [[nodiscard]] Vec3 constraint_force(int lane, int c) const;
+    [[nodiscard]] Vec3 constraint_moment(int lane, int c) const;
+    [[nodiscard]] Vec3 constraint_point(int lane, int c) const;
+    /// Largest normal force of a guide or pull tube, tension of a tensioner, force otherwise [N].
     [[nodiscard]] double constraint_magnitude(int lane, int c) const;
+    /// Least gap left, stroke of a tensioner, distance from the place otherwise [m].
     [[nodiscard]] double constraint_opening(int lane, int c) const;
+    /// Slide of the rod along the axis since the start [m].
+    [[nodiscard]] double constraint_slip(int lane, int c) const;
+    /// Energy stored, and taken by dampers and friction since the start [J].
+    [[nodiscard]] double constraint_energy(int lane, int c) const;
+    [[nodiscard]] double constraint_dissipated(int lane, int c) const;
+    /// |I_rod - I_hull| / sum h |f| of R:40 since the start; 0 where the platform made no steps of
+    /// four passes.
+    [[nodiscard]] double impulse_mismatch(int lane, int c) const;
 
     [[nodiscard]] const std::vector<int>& lines() const { return lines_; }
     [[nodiscard]] int elements() const { return static_cast<int>(properties_.size()); }
@@ -180,24 +217,42 @@ class RodPack {
     void solve(V a0, V a1);
     void update_trial(Mask iterating, V a0, V a1, V part, V limit, V& correction, V& finite);
     void add_point_mass(const PointMass<V>& mass, V a0, V a1, V (&D)[7][7], V (&R)[7]) const;
-    void add_constraints(std::size_t e, V a1, ElementSystem<V>& element);
-    void carry_constraints();
     void add_slope_law(const SlopeLaw<V>& law, const TrialNode<V>& node, const Vector<V>& axis,
                        V (&D)[7][7], V (&R)[7], ConstraintLoad<V>& load) const;
 
     // constraints.cpp
     void set_constraints(const Case& input);
-    using Border = Eigen::Matrix<double, 7, 6>;
-    /// Border columns of the constraints along the rod after the elimination of all nodes before
-    /// end A; their block of R:22 and R:24 is added to M.
-    Border border_of_constraints(int lane, const Vec3& reference, Mat6& M) const;
+    void set_laws(PlacedConstraint<V>& to) const;
+    /// Element from end B, and place in it, of an arc length from end A.
+    [[nodiscard]] std::pair<int, double> element_at(int lane, double arc_length) const;
     void place_constraints(const RodState<V>& before, V t_before, V t, const MotionSpline& platform,
                            bool search);
     void locate(PlacedConstraint<V>& c, int lane, bool search) const;
     Vec3 trial_point(int lane, int element, double xi, Vec3* slope) const;
-    HullMotion<V> hull_motion(V t, const MotionSpline& platform) const;
+    HullMotion<V> hull_motion(V t_before, V t, const MotionSpline& platform) const;
+    /// Loads of all constraints at the trial values.
+    void evaluate_constraints(V a1);
+    void add_constraints(std::size_t e, ElementSystem<V>& element) const;
+    void carry_constraints();
+    /// How far the laws are from the forces that the solution of the linear system holds, as a part
+    /// of what `newton` allows.
+    [[nodiscard]] V constraint_misfit() const;
+
+    // constraint_border.cpp, constraint_results.cpp
+    using Border = Eigen::Matrix<double, 7, 6>;
+    /// Border columns of the constraints along the rod after the elimination of all nodes before
+    /// end A; their block of R:22 and R:24 is added to M.
+    Border border_of_constraints(int lane, const Vec3& reference, Mat6& M) const;
     void settle_constraints(Mask iterating);
-    void keep_constraints(Mask accepted, RodState<V>& s);
+    /// What a step of length h (0: statics) found becomes the constraints' state; their sums over
+    /// time go on from `before`.
+    void keep_constraints(Mask accepted, V h, const RodState<V>& before, RodState<V>& s);
+    void take_joint_axes(RodState<V>& s);
+    [[nodiscard]] bool has_static_joint_axes() const;
+    void begin_impulses(double length);
+    void count_impulses();
+    template <class Combine>
+    void for_points_of(int c, Combine&& combine) const;
 
     // water.cpp
     void refresh_water(double until);
@@ -237,6 +292,8 @@ class RodPack {
     SlopeLaw<V> law_a_, law_b_;
     PointLaw<V> spring_a_;
     std::vector<PlacedConstraint<V>> constraints_;
+    int passes_since_keep_ = 0;
+    double pass_length_ = 0.0;  ///< of the pass that ended last [s]
     HullMotion<V> hull_;
     std::vector<TrialNode<V>> reached_;  ///< quasi-static: last good shape on the platform's way
     std::vector<V> reached_lambda_;

@@ -65,7 +65,7 @@ void RodPack<V>::solve(V a0, V a1) {
         ElementSystem<V>& element = element_;
         assemble_element(properties_[e], trial_[e], trial_[e + 1], lambda, material_[e],
                          &water_[e * gauss_points], bed_, a0, a1, element);
-        if (!constraints_.empty()) add_constraints(e, a1, element);
+        if (!constraints_.empty()) add_constraints(e, element);
         Middle& middle = middles_[e];
         for (int i = 0; i < 14; ++i) middle.column[i] = element.column[i];
         middle.inverse_pivot = element.inverse_pivot;

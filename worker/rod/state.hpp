@@ -37,14 +37,23 @@ struct Water {
     V eta{};
 };
 
-/// A constraint along the rod: where it touches, its friction spring, its load on the rod and what
-/// it reports.
+/// A contact point of a constraint along the rod: where it touches, what it remembers, its load on
+/// the rod and what it reports.
 template <class V>
 struct ConstraintState {
     V element{}, xi{};         ///< element from end B and place in it
     V friction{};              ///< deflection of the friction spring, R:34 [m]
+    Vector<V> axis;            ///< of a joint on its own frame, from B to A
     Vector<V> force, point;    ///< on the rod [N], and where [m]
+    Vector<V> moment;          ///< of a joint on the rod [N.m]
     V magnitude{}, opening{};  ///< normal force or tension [N]; gap left or stroke [m]
+    V slip{};                  ///< slide of the rod along the axis since the start [m]
+    V energy{};                ///< stored [J]
+    V power{}, dissipated{};   ///< taken by dampers and friction [W], and since the start [J]
+    // R:40
+    Vector<V> impulse, hull_impulse;  ///< of the rod's steps; of the hull's four rates [N.s]
+    V impulse_size{};                 ///< sum of h |f| [N.s]
+    Vector<V> hull_force;             ///< on the rod as the hull's last rate took it [N]
 };
 
 /// What belongs to the rod as a whole.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rod/catenary.hpp"
+#include "rod/lane_access.hpp"
 #include "rod/rod_pack.hpp"
 
 namespace hawser::worker {
@@ -27,9 +28,6 @@ auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose) -> Mask {
     const MotionSpline still(0.0, pose, 0.0, pose);
     const EndValues<V> a = end_values(place_a_, kept_.head().axis_a, V(0.0), still);
     const EndValues<V> b = end_values(place_b_, kept_.head().axis_b, V(0.0), still);
-    const auto vec = [&](const Vector<V>& x) {
-        return Vec3(T::get(x.x, lane), T::get(x.y, lane), T::get(x.z, lane));
-    };
     std::vector<CatenaryElement> elements;
     auto mass = masses_.begin();
     for (std::size_t e = 0; e < properties_.size(); ++e) {
@@ -51,13 +49,14 @@ auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose) -> Mask {
         for (const PlacedConstraint<V>& c : constraints_) {
             if (std::holds_alternative<Tensioner<V>>(c.law))
                 return guess_under_tension(lane, c.at[static_cast<std::size_t>(lane)], pose,
-                                           vec(b.position), elements);
+                                           lane_vector(b.position, lane), elements);
         }
     }
     const bool on_bed = place_b_.end[static_cast<std::size_t>(lane)].kind == EndKind::anchor;
-    const Catenary shape_found =
-        place_b_.prescribed() ? solve_catenary(elements, vec(b.position), vec(a.position), on_bed)
-                              : hang_freely(elements, vec(a.position));
+    const Catenary shape_found = place_b_.prescribed()
+                                     ? solve_catenary(elements, lane_vector(b.position, lane),
+                                                      lane_vector(a.position, lane), on_bed)
+                                     : hang_freely(elements, lane_vector(a.position, lane));
     Mask found = LaneTraits<V>::none();
     if (!shape_found.found) return found;
     T::set(found, lane, true);
@@ -110,11 +109,8 @@ void RodPack<V>::start_from(int lane, const std::vector<CatenaryNode>& nodes) {
     Multiplier<V>* lambda = kept_.lambda();
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         const CatenaryNode& c = nodes[n];
-        const auto put = [&](Vector<V>& to, const Vec3& x) {
-            T::set(to.x, lane, x.x()), T::set(to.y, lane, x.y()), T::set(to.z, lane, x.z());
-        };
-        put(node[n].r, c.position);
-        put(node[n].d, c.tangent);
+        set_lane_vector(node[n].r, lane, c.position);
+        set_lane_vector(node[n].d, lane, c.tangent);
         const auto raised = [&](double tension) {
             return std::abs(tension) < floor ? floor : tension;
         };
@@ -130,11 +126,8 @@ std::vector<CatenaryNode> RodPack<V>::found_shape(int lane) const {
     std::vector<CatenaryNode> nodes;
     for (std::size_t n = 0; n < trial_.size(); ++n) {
         const NodeState<V>& x = working_.nodes()[n];
-        const auto vec = [&](const Vector<V>& v) {
-            return Vec3(T::get(v.x, lane), T::get(v.y, lane), T::get(v.z, lane));
-        };
-        nodes.push_back({.position = vec(x.r),
-                         .tangent = vec(x.d),
+        nodes.push_back({.position = lane_vector(x.r, lane),
+                         .tangent = lane_vector(x.d, lane),
                          .tension = T::get(working_.lambda()[2 * n].now, lane)});
     }
     return nodes;
@@ -167,6 +160,7 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wa
         if (!constraints_.empty()) {
             friction_on_ = false;
             place_constraints(kept_, V(0.0), V(0.0), still, true);
+            evaluate_constraints(V(0.0));
         }
         solve(V(0.0), V(0.0));
         update_trial(iterating, V(0.0), V(0.0), V(part), V(static_step_limit), correction, finite);
@@ -181,9 +175,12 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wa
         solved = solved | done;
         iterating = sound & !done;
     }
-    keep_constraints(solved, kept_);
+    keep_constraints(solved, V(0.0), kept_, kept_);
     current_only(current);
-    if (!constraints_.empty()) place_constraints(kept_, V(0.0), V(0.0), still, true);
+    if (!constraints_.empty()) {
+        place_constraints(kept_, V(0.0), V(0.0), still, true);
+        evaluate_constraints(V(0.0));
+    }
     solve(V(0.0), V(0.0));  // the stiffness of every lane at what it has found
     // What was found becomes the kept state of the lanes that were wanted.
     NodeState<V>* to = kept_.nodes();
@@ -271,7 +268,7 @@ Status RodPack<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
         copy_idle_lanes();
         if (any(everything_of(guessed)))
             return status_of(everything_of(guessed), Status::Code::no_equilibrium, 0.0);
-        law_on_ = !any(axis_is_static_a_ | axis_is_static_b_);
+        law_on_ = !any(axis_is_static_a_ | axis_is_static_b_) && !has_static_joint_axes();
         const Mask solved = static_newton(design, false, used_);
         law_on_ = true;
         if (any(everything_of(solved)))
@@ -281,6 +278,7 @@ Status RodPack<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
         head.axis_a =
             select(axis_is_static_a_, tangent(kept_.nodes()[trial_.size() - 1].d), head.axis_a);
         head.axis_b = select(axis_is_static_b_, tangent(kept_.nodes()[0].d), head.axis_b);
+        take_joint_axes(kept_);
         if (any(false_equilibria(kept_)))
             return status_of(false_equilibria(kept_), Status::Code::false_equilibrium, 0.0);
         pose_ = design;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "force_fit.hpp"
+#include "rod/lane_access.hpp"
 #include "rod/rod_pack.hpp"
 
 namespace hawser::worker {
@@ -124,6 +125,7 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
     if (!constraints_.empty()) {
         friction_on_ = true;
         place_constraints(working_, working_.head().t, t_new, platform, false);
+        evaluate_constraints(a1);
     }
 
     Mask iterating = active;
@@ -139,9 +141,14 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
         force_b = select(iterating, reaction_b_, force_b);
         moment_a = select(iterating, moment_a_, moment_a);
         moment_b = select(iterating, moment_b_, moment_b);
-        settle_constraints(iterating);
         const Mask sound = iterating & (finite <= V(0.0));
-        const Mask converged = sound & (correction <= V(newton.tolerance));
+        Mask converged = sound & (correction <= V(newton.tolerance));
+        if (!constraints_.empty()) {
+            evaluate_constraints(a1);
+            settle_constraints(iterating);
+            if (i + 1 < newton.constraint_iterations)
+                converged = converged & (constraint_misfit() <= V(1.0));
+        }
         accepted = accepted | converged;
         iterating = sound & !converged;
     }
@@ -149,7 +156,7 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
     head.force_b = select(accepted, force_b, head.force_b);
     head.moment_a = select(accepted, moment_a, head.moment_a);
     head.moment_b = select(accepted, moment_b, head.moment_b);
-    keep_constraints(accepted, working_);
+    keep_constraints(accepted, h, working_, working_);
     accept(accepted, h, t_new);
 }
 
@@ -163,6 +170,7 @@ Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
         (static_cast<double>(wave_index_) + 1e-9) * wave_step_ < t0 + platform_step_)
         refresh_water(t0 + platform_step_);
     working_ = kept_;
+    begin_impulses(t1 - t0);
     ++work_.passes;
     work_.rod_time += t1 - t0;
 
@@ -252,10 +260,16 @@ void RodPack<V>::add_to_fit(int lane, int i, int n, const MotionSpline& platform
     const double t = LaneTraits<V>::get(working_.head().t, lane);
     fitted_[static_cast<std::size_t>(lane)] +=
         weight * wrench(lane, platform.at(t).motion.position);
+    for (std::size_t c = 0; c < constraints_.size(); ++c) {
+        const Vec3 sum = lane_vector(constraints_[c].fitted, lane) +
+                         weight * lane_vector(working_.constraints()[c].force, lane);
+        set_lane_vector(constraints_[c].fitted, lane, sum);
+    }
 }
 
 template <class V>
 void RodPack<V>::keep() {
+    count_impulses();
     kept_ = working_;
 }
 

@@ -1,0 +1,29 @@
+// One lane of the pack's vectors as plain vectors, for work that is done rod by rod.
+#pragma once
+
+#include "rod/vector3.hpp"
+#include "vector.hpp"
+
+namespace hawser::worker {
+
+template <class V>
+[[nodiscard]] Vec3 lane_vector(const Vector<V>& x, int lane) {
+    using T = LaneTraits<V>;
+    return {T::get(x.x, lane), T::get(x.y, lane), T::get(x.z, lane)};
+}
+
+template <class V>
+[[nodiscard]] Mat3 lane_matrix(const Symmetric<V>& S, int lane) {
+    Mat3 out;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) out(i, k) = LaneTraits<V>::get(S(i, k), lane);
+    return out;
+}
+
+template <class V>
+void set_lane_vector(Vector<V>& to, int lane, const Vec3& x) {
+    using T = LaneTraits<V>;
+    T::set(to.x, lane, x.x()), T::set(to.y, lane, x.y()), T::set(to.z, lane, x.z());
+}
+
+}  // namespace hawser::worker

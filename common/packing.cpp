@@ -11,20 +11,30 @@ namespace hawser {
 
 namespace {
 
+/// What makes the work of one constraint.
+struct ConstraintLayout {
+    ConstraintType type;
+    bool gap;  ///< of a slider: contact instead of a spring
+    std::size_t path, cylinders;
+    bool operator==(const ConstraintLayout&) const = default;
+};
+
 struct Layout {
     LineModel model;
     int elements;
     EndKind end_a, end_b;
     Joint joint_a, joint_b;
     std::vector<int> attachment_nodes;
-    std::vector<ConstraintType> constraints;
+    std::vector<ConstraintLayout> constraints;
     bool operator==(const Layout&) const = default;
 };
 
 Layout layout_of(const Line& line, LineModel usual) {
     const LineMesh mesh = mesh_of(line);
-    std::vector<ConstraintType> constraints;
-    for (const LineConstraint& c : line.constraints) constraints.push_back(c.type);
+    std::vector<ConstraintLayout> constraints;
+    for (const LineConstraint& c : line.constraints)
+        constraints.push_back({c.type, c.type == ConstraintType::slider && c.gap > 0.0,
+                               c.path.size(), c.cylinders.size()});
     return {.model = line.model.value_or(usual),
             .elements = mesh.elements(),
             .end_a = line.end_a.kind,

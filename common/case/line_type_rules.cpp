@@ -220,6 +220,8 @@ LineType line_type(const LineTypeKeys& type) {
                               .poisson = type.poisson,
                               .yield = type.yield};
     }
+    if (type.category == "chain") value.section_area = 2.0 * disc(outer);
+    if (type.category == "rope" || type.category == "wire") value.section_area = disc(outer);
     return value;
 }
 

@@ -58,8 +58,11 @@ struct LineType {
     double drag_diameter = 0.0;                ///< both drag coefficients refer to it [m]
     double drag_normal = 0.0, drag_axial = 0.0;
     double added_mass_normal = 1.0, added_mass_axial = 0.0;  ///< on displaced_area
-    std::optional<double> breaking_load = {};                ///< [N]; only for utilisation
-    std::optional<PipeWall> wall = {};                       ///< pipes
+    /// Of chain (both legs of a link), rope and wire (nominal): carries the tension [m2]; 0:
+    /// unknown, or a pipe's wall
+    double section_area = 0.0;
+    std::optional<double> breaking_load = {};  ///< [N]; only for utilisation
+    std::optional<PipeWall> wall = {};         ///< pipes
 
     bool operator==(const LineType&) const = default;
 };
@@ -193,7 +196,7 @@ struct Line {
     std::optional<LineModel> model = {};         ///< instead of analysis.dynamics.line_model
     std::optional<double> sheltered_above = {};  ///< height on the platform above which the water
                                                  ///< moves with it [m]
-    double internal_pressure = 0.0;  ///< at end A [Pa], beside the head of the contents
+    double internal_pressure = 0.0;              ///< at end A [Pa], beside the head of the contents
     StaticTarget target;
     std::optional<LineFailure> fail = {};
     std::optional<Winch> winch = {};

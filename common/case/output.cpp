@@ -5,6 +5,20 @@
 namespace hawser {
 namespace {
 
+/// A list of words that is kept as it is written.
+Key& chosen_words(Keys<LineOutput>& k, const std::string& name,
+                  std::vector<std::string> LineOutput::*member, std::vector<std::string> choices,
+                  const std::string& sentence) {
+    Key& key = k.custom(
+        name, Form::words, {}, sentence,
+        [member](LineOutput& output, const Value& value) {
+            output.*member = std::get<std::vector<std::string>>(value);
+        },
+        [member](const LineOutput& output) -> Value { return output.*member; });
+    key.choices = std::move(choices);
+    return key;
+}
+
 const Table& line_output_keys() {
     static const Table table = [] {
         Keys<LineOutput> k("lines");
@@ -12,13 +26,9 @@ const Table& line_output_keys() {
         k.words("at", {{"end_a", &LineOutput::end_a}, {"end_b", &LineOutput::end_b}},
                 "Where along the line")
             .def("[end_a]");
-        k.words("results",
-                {{"effective_tension", &LineOutput::effective_tension},
-                 {"declination", &LineOutput::declination},
-                 {"azimuth", &LineOutput::azimuth},
-                 {"force", &LineOutput::force},
-                 {"moment", &LineOutput::moment}},
-                "What is recorded there")
+        chosen_words(k, "results", &LineOutput::results,
+                     {"effective_tension", "declination", "azimuth", "force", "moment"},
+                     "What is recorded there, of constraints and of the touchdown")
             .later_words({"wall_tension", "axial_strain", "curvature", "bend_moment", "shear_force",
                           "von_mises_stress", "axial_stress", "bending_stress", "seabed_force",
                           "touchdown.arc_length", "tensioner.tension", "tensioner.stroke",

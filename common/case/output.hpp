@@ -11,8 +11,10 @@ namespace hawser {
 struct LineOutput {
     std::string select = "*";
     bool end_a = true, end_b = false;
-    bool effective_tension = true, declination = false, azimuth = false, force = false,
-         moment = false;
+    std::vector<double> at_arc;  ///< further places, arc length from end A [m]
+    /// What is recorded there, of constraints (`guide.force`) and of touchdown: words of the key
+    std::vector<std::string> results{"effective_tension"};
+    std::vector<std::string> range;  ///< quantities of which the course along the line is kept
 
     bool operator==(const LineOutput&) const = default;
 };

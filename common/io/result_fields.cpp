@@ -12,26 +12,24 @@ struct EndResultKeys {
     const char* units;
     const char* description;  // "... of the line at end A"
     bool vector;
-    bool LineOutput::*asked;
 };
 
 constexpr std::array<EndResultKeys, 5> end_result_keys{{
-    {EndResult::effective_tension, "effective_tension", "N", "Effective tension", false,
-     &LineOutput::effective_tension},
+    {EndResult::effective_tension, "effective_tension", "N", "Effective tension", false},
     {EndResult::declination, "declination", "deg",
-     "Angle from vertical down of the tangent from end A to end B", false,
-     &LineOutput::declination},
+     "Angle from vertical down of the tangent from end A to end B", false},
     {EndResult::azimuth, "azimuth", "deg",
-     "Angle from +x, counter-clockwise from above, of the tangent from end A to end B", false,
-     &LineOutput::azimuth},
-    {EndResult::force, "force", "N", "Force of the line on what holds it, world axes", true,
-     &LineOutput::force},
-    {EndResult::moment, "moment", "N.m", "Moment of the line on what holds it, world axes", true,
-     &LineOutput::moment},
+     "Angle from +x, counter-clockwise from above, of the tangent from end A to end B", false},
+    {EndResult::force, "force", "N", "Force of the line on what holds it, world axes", true},
+    {EndResult::moment, "moment", "N.m", "Moment of the line on what holds it, world axes", true},
 }};
 
 const EndResultKeys& keys_of(EndResult result) {
     return end_result_keys[static_cast<std::size_t>(result)];
+}
+
+bool asks(const std::vector<std::string>& words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 std::string load_description(std::string_view name) {
@@ -74,7 +72,7 @@ bool matches(std::string_view glob, std::string_view name) {
 
 bool is_recorded(const Output& output, const std::string& line, bool end_a, EndResult result) {
     return std::any_of(output.lines.begin(), output.lines.end(), [&](const LineOutput& entry) {
-        return (end_a ? entry.end_a : entry.end_b) && entry.*keys_of(result).asked &&
+        return (end_a ? entry.end_a : entry.end_b) && asks(entry.results, keys_of(result).name) &&
                matches(entry.select, line);
     });
 }

@@ -147,7 +147,7 @@ Case synthetic_spar(double duration) {
     LineOutput all, more;
     more.select = "ml*";
     more.end_b = true;
-    more.declination = more.azimuth = more.force = true;
+    more.results = {"effective_tension", "declination", "azimuth", "force"};
     c.output.lines = {all, more};
     return c;
 }

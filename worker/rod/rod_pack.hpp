@@ -166,6 +166,14 @@ class RodPack {
     [[nodiscard]] double impulse_mismatch(int lane, int c) const;
 
     [[nodiscard]] const std::vector<int>& lines() const { return lines_; }
+    /// Elements, counted from end B; arc lengths of the nodes from end B, ascending [m]; the bed.
+    [[nodiscard]] const std::vector<ElementProperties<V>>& properties() const {
+        return properties_;
+    }
+    [[nodiscard]] const std::vector<double>& arc_length(int lane) const {
+        return arc_length_[static_cast<std::size_t>(lane)];
+    }
+    [[nodiscard]] const Bed& bed() const { return bed_; }
     [[nodiscard]] int elements() const { return static_cast<int>(properties_.size()); }
     [[nodiscard]] const RodState<V>& kept() const { return kept_; }
     RodState<V>& kept() { return kept_; }

@@ -1,0 +1,68 @@
+"""scripts/paper_figures as a user meets it: the quick run under mpirun.
+
+usage: test_paper_figures.py HAWSER SOURCE_DIR [unittest arguments]
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HAWSER, SOURCE = sys.argv[1:3]
+SCRIPT = str(pathlib.Path(SOURCE) / "scripts" / "paper_figures")
+
+
+def paper_figures(*arguments):
+    return subprocess.run([SCRIPT, *arguments, "--hawser", HAWSER], capture_output=True, text=True, timeout=110)
+
+
+class Quick(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.out = pathlib.Path(folder.name)
+        cls.done = paper_figures("--quick", "--ranks", "2", "-o", str(cls.out))
+
+    def test_draws_the_figures_and_writes_the_page(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+        page = (self.out / "figures.md").read_text()
+        for number in FIGURES:
+            picture = self.out / f"figure_{number}.png"
+            self.assertGreater(picture.stat().st_size, 10000, picture)
+            self.assertIn(f"## Figure {number}: ", page)
+            self.assertIn(f"(figure_{number}.png)", page)
+        self.assertNotIn("nan", page)
+
+    def test_finds_the_paper_s_claim_of_figure_4_in_a_minute_of_storm(self):
+        """Fourth order of the platform: the curves of 0.5 and 1.0 s differ by less than a line's width,
+        1 % of the standard deviation."""
+        page = (self.out / "figures.md").read_text()
+        part = page[page.index("## Figure 4"):page.index("## Figure 5")]
+        shares = [float(line.split("|")[-2]) for line in part.splitlines() if re.match(r"\| \d+° ", line)]
+        self.assertEqual(len(shares), 6)  # three motions, two headings
+        self.assertTrue(all(0 < share < 1.0 for share in shares), shares)
+
+    def test_uses_finished_runs_again_unless_the_case_has_changed(self):
+        before = {p: p.stat().st_mtime_ns for p in self.out.rglob("result.h5")}
+        self.assertGreater(len(before), 3)
+        changed = self.out / "heading_0" / "coupled" / "status.json"
+        changed.write_text(changed.read_text().replace('"done"', '"stopped"'))
+        again = paper_figures("--quick", "--ranks", "1", "-o", str(self.out))
+        self.assertEqual(again.returncode, 0, again.stderr)
+        fresh = {p.parent for p, time in before.items() if p.stat().st_mtime_ns != time}
+        self.assertEqual(fresh, {changed.parent})
+
+
+class WrongUse(unittest.TestCase):
+    def test_wrong_options_are_refused(self):
+        self.assertEqual(paper_figures("--fast").returncode, 2)
+        self.assertEqual(paper_figures("--ranks", "0").returncode, 2)
+
+
+FIGURES = (3, 4, 5, 7)
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)

@@ -46,7 +46,7 @@ def common_samples(a, b, channel, window):
 def text(everything, window, quick):
     first = next(iter(everything.values()))["coupled"]
     what = (f"One hour of the storm, {window[0]:g} to {window[1]:g} s drawn, by `scripts/paper_figures`."
-            if not quick else "**A quick run: a minute of storm and not an hour, the numbers mean nothing.**")
+            if not quick else "**A quick run: 45 s of storm and not an hour, the numbers mean nothing.**")
     version = f"{first.file.attrs['program']} {first.file.attrs['version']}, {first.file.attrs['build']}"
     parts = [HEAD.format(what=what, version=version), figure_3(), figure_4(everything, window),
              figure_5(everything, window), figure_6(everything, window), figure_7(everything, window),

@@ -36,7 +36,7 @@ class Quick(unittest.TestCase):
             self.assertIn(f"(figure_{number}.png)", page)
         self.assertNotIn("nan", page)
 
-    def test_finds_the_paper_s_claim_of_figure_4_in_a_minute_of_storm(self):
+    def test_finds_the_paper_s_claim_of_figure_4_in_the_quick_run(self):
         """Fourth order of the platform: the curves of 0.5 and 1.0 s differ by less than a line's width,
         1 % of the standard deviation."""
         page = (self.out / "figures.md").read_text()

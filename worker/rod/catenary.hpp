@@ -31,6 +31,8 @@ struct Catenary {
     double vertical_a =
         0.0;                ///< vertical tension at end A, positive when the line hangs from A [N]
     double grounded = 0.0;  ///< unstretched length on the bed at end B [m]
+    double vertical_b = 0.0;        ///< vertical tension at end B [N]
+    Mat3 stiffness = Mat3::Zero();  ///< d(pull of the line at end A)/d(its position) [N/m]
 };
 
 /// Line from end B at `b` to end A at `a`, elements given from B to A. If `on_bed`, end B lies on
@@ -39,6 +41,12 @@ struct Catenary {
 /// functions.
 Catenary solve_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
                         bool on_bed);
+
+/// The same by Newton's iteration from the horizontal and vertical tension at end A of a
+/// neighbouring solution, to 1e-10 of the length; with the stiffness, in closed form. Where the
+/// iteration fails it is solve_catenary that answers.
+Catenary follow_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
+                         bool on_bed, double horizontal, double vertical_a);
 
 /// Line that hangs straight down from `a` with its other end free.
 Catenary hang_freely(const std::vector<CatenaryElement>& elements, const Vec3& a);

@@ -67,7 +67,10 @@ auto RodPack<V>::still_attempt(Mask wanted, double t0, double t1, V t, const Mot
         head.force_b = select(iterating, reaction_b_, head.force_b);
         head.moment_a = select(iterating, moment_a_, head.moment_a);
         head.moment_b = select(iterating, moment_b_, head.moment_b);
-        settle_constraints(iterating);
+        if (!constraints_.empty()) {
+            evaluate_constraints(V(0.0));
+            settle_constraints(iterating);
+        }
         const Mask sound = iterating & (finite <= V(0.0));
         const Mask done = sound & (correction <= V(newton.still_tolerance));
         solved = solved | done;

@@ -269,6 +269,7 @@ Vec3 RodPack<V>::node_position(int lane, int n) const {
 
 template <class V>
 Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference) {
+    if (model_ == LineModel::catenary) return hanging_stiffness(lane, reference);
     using T = LaneTraits<V>;
     Eigen::Matrix<double, 7, 7> D;
     for (int i = 0; i < 7; ++i)

@@ -218,7 +218,9 @@ class RodPack {
 
     // catenary_lines.cpp
     std::vector<CatenaryElement> catenary_elements(int lane) const;
-    Status hang(double t0, double t1, const MotionSpline& platform);
+    Status hang(double t1, const MotionSpline& platform);
+    Status hang_at(const PlatformMotion& pose);
+    Mat6 hanging_stiffness(int lane, const Vec3& reference) const;
     bool hang_lane(int lane, double t, const MotionSpline& platform);
 
     // solve.cpp
@@ -305,7 +307,8 @@ class RodPack {
     HullMotion<V> hull_;
     std::vector<TrialNode<V>> reached_;  ///< quasi-static: last good shape on the platform's way
     std::vector<V> reached_lambda_;
-    std::vector<Mat3> hanging_stiffness_;  ///< catenary: of end A, per lane [N/m]
+    std::vector<std::vector<CatenaryElement>> hanging_;  ///< catenary: what each lane is made of
+    std::vector<Mat3> hanging_stiffness_;                ///< catenary: of end A, per lane [N/m]
     bool friction_on_ = true;
     bool law_on_ = true;
     Mask guessed_;  ///< lanes with a guess of their own

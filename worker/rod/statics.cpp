@@ -28,23 +28,7 @@ auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose) -> Mask {
     const MotionSpline still(0.0, pose, 0.0, pose);
     const EndValues<V> a = end_values(place_a_, kept_.head().axis_a, V(0.0), still);
     const EndValues<V> b = end_values(place_b_, kept_.head().axis_b, V(0.0), still);
-    std::vector<CatenaryElement> elements;
-    auto mass = masses_.begin();
-    for (std::size_t e = 0; e < properties_.size(); ++e) {
-        const ElementProperties<V>& p = properties_[e];
-        const double EA_static =
-            1.0 / (1.0 / T::get(p.K_damper, lane) + 1.0 / T::get(p.K_creep, lane));
-        CatenaryElement element{.length = T::get(p.L, lane),
-                                .EA = EA_static,
-                                .weight_wet = T::get(p.weight, lane) - T::get(p.buoyancy, lane),
-                                .weight_dry = T::get(p.weight, lane)};
-        for (; mass != masses_.end() && mass->node <= static_cast<int>(e) + 1; ++mass) {
-            if (mass->node == static_cast<int>(e) + 1)
-                element.point_weight +=
-                    (T::get(mass->mass, lane) - T::get(mass->displaced, lane)) * gravity_;
-        }
-        elements.push_back(element);
-    }
+    const std::vector<CatenaryElement> elements = catenary_elements(lane);
     if (!place_a_.held() && place_b_.held()) {
         for (const PlacedConstraint<V>& c : constraints_) {
             if (std::holds_alternative<Tensioner<V>>(c.law))
@@ -249,6 +233,7 @@ void RodPack<V>::finish_statics(Mask good) {
 
 template <class V>
 Status RodPack<V>::equilibrium(const PlatformMotion& pose, bool current) {
+    if (model_ == LineModel::catenary) return hang_at(pose);
     const RodState<V> before = kept_;  // a failure leaves everything as it was
     const Status status = find_equilibrium(pose, current);
     if (!status.ok()) kept_ = before;

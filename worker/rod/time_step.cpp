@@ -164,7 +164,7 @@ template <class V>
 Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
     using T = LaneTraits<V>;
     if (model_ == LineModel::quasi_static) return still_pass(t0, t1, platform);
-    if (model_ == LineModel::catenary) return hang(t0, t1, platform);
+    if (model_ == LineModel::catenary) return hang(t1, platform);
     static_ = false;
     if (wave_index_ < 0 ||
         (static_cast<double>(wave_index_) + 1e-9) * wave_step_ < t0 + platform_step_)

@@ -197,6 +197,7 @@ class Checks {
             stretch += s.length * (rope ? 0.03 : 0.003);
             travel += s.length * std::sqrt(type.mass / type.EA);
         }
+        model(line, path);
         const double length = line.length(), depth = case_.environment.seabed.depth;
         const bool held = line.end_a.kind != EndKind::free && line.end_b.kind != EndKind::free;
         const double distance = (line.end_b.position - line.end_a.position).norm();
@@ -225,6 +226,35 @@ class Checks {
                                       "{:.3g} s; the coupling may go unstable",
                                       line.name, period, D));
         }
+    }
+
+    /// What a line without dynamics cannot have.
+    void model(const Line& line, const std::string& path) {
+        const LineModel its = line.model.value_or(case_.analysis.dynamics.line_model);
+        if (its == LineModel::dynamic) return;
+        const auto refuse = [&](bool has, const char* what, const char* instead) {
+            if (has) error(path, fmt::format("{}: {}; use the model {}", line.name, what, instead));
+        };
+        refuse(line.fail.has_value(), "only a dynamic line parts", "dynamic");
+        refuse(line.winch.has_value(), "only a dynamic line is paid out", "dynamic");
+        if (its != LineModel::catenary) return;
+        bool bends = false, curved = false;
+        for (const Section& s : line.sections) {
+            const LineType& type = case_.line_types[static_cast<std::size_t>(s.type)];
+            bends = bends || type.EI > 0.0;
+            curved = curved || !type.EA_curve.empty();
+        }
+        const auto turns_freely = [](const LineEnd& end) {
+            return end.kind != EndKind::free && end.joint == Joint::ball;
+        };
+        refuse(!line.constraints.empty(), "a catenary runs from end to end without constraints",
+               "quasi_static");
+        refuse(bends, "a catenary has no bending stiffness", "quasi_static");
+        refuse(curved, "a catenary stretches by one stiffness, not by a curve", "quasi_static");
+        refuse(!turns_freely(line.end_a) || !turns_freely(line.end_b),
+               "a catenary hangs between two ball joints", "quasi_static");
+        refuse(case_.environment.seabed.slope_angle != 0.0, "a catenary lies on a level bed",
+               "quasi_static");
     }
 
     void times() {

@@ -46,7 +46,10 @@ bool RodPack<V>::hang_lane(int lane, double t, const MotionSpline& platform) {
         started_ ? follow_catenary(elements, b, a, on_bed, std::hypot(before.x(), before.y()),
                                    before.z() - at_a)
                  : solve_catenary(elements, b, a, on_bed);
+    constexpr double most_strain = 0.2;  // of a static solution that is believed, as of the rods'
     if (!found.found) return false;
+    for (std::size_t n = 0; n < elements.size(); ++n)
+        if (found.nodes[n + 1].tension > most_strain * elements[n].EA) return false;
 
     NodeState<V>* node = working_.nodes();
     Multiplier<V>* lambda = working_.lambda();

@@ -15,6 +15,8 @@ namespace hawser {
 enum class Ask : int {
     run_to,       ///< run a pass of the rods from their kept state at t0 to t1 (P:3)
     equilibrium,  ///< static solution with the platform at `to`; replies the stiffness too
+    impedance,    ///< undamped harmonic motion about the last equilibrium; replies the dynamic
+                  ///< stiffness at `frequency`, the lines' inertia in it (R:44)
     stop,         ///< nothing more to do; flags are still carried out
 };
 
@@ -28,14 +30,16 @@ struct Order {
     bool write_segment = false;   ///< all ranks write what they have sampled (collective)
     bool current = true;          ///< equilibrium: with (true) or without current
     double t0 = 0.0, t1 = 0.0;    ///< [s]
+    double frequency = 0.0;       ///< impedance: angular [rad/s]
     PlatformMotion from{}, to{};  ///< the platform at t0 and t1; the spline P:5 lies between
 };
 
 /// Load of one line on the platform: force [N] and moment about O [N.m] on world axes, at t1.
 struct LineLoad {
     Vec6 wrench = Vec6::Zero();
-    double end_tension = 0.0;       ///< effective tension at end A [N], for the progress line
-    Mat6 stiffness = Mat6::Zero();  ///< -d(wrench)/d(position, rotation vector), equilibrium only
+    double end_tension = 0.0;  ///< effective tension at end A [N], for the progress line
+    Mat6 stiffness =
+        Mat6::Zero();  ///< -d(wrench)/d(position, rotation vector); equilibrium, impedance
 };
 
 struct Reply {

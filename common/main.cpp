@@ -14,6 +14,7 @@
 #include "io/files.hpp"
 #include "io/hdf5.hpp"
 #include "io/link.hpp"
+#include "io/modes_text.hpp"
 #include "io/run_folder.hpp"
 #include "io/statics_text.hpp"
 #include "roles.hpp"
@@ -89,6 +90,19 @@ int statics(const io::CommandLine& line) {
     return static_cast<int>(ExitCode::done);
 }
 
+/// `hawser modes`, likewise.
+int modes(const io::CommandLine& line) {
+    const io::CaseFile file = ready_case(line);
+    const ModesReport report = find_modes(file.value, line.modes);
+    for (const std::string& warning : report.warnings) complain("warning: " + warning);
+    const std::string text =
+        line.json ? io::modes_json(file.value, report) : io::modes_text(file.value, report);
+    std::fputs(text.c_str(), stdout);
+    if (!line.output_file.empty())
+        io::write_atomically(line.output_file, io::modes_csv(file.value, report));
+    return static_cast<int>(ExitCode::done);
+}
+
 ExitCode run(const io::CommandLine& line, io::Link& link) {
     SharedCase shared;
     shared.request.force = line.force;
@@ -150,6 +164,8 @@ int main(int argc, char** argv) {
             }
             case Command::statics:
                 return statics(line);
+            case Command::modes:
+                return modes(line);
             case Command::schema:
                 return io::schema_command(line);
             case Command::none:

@@ -32,6 +32,7 @@ OrderMessage pack(const Order& o) {
     m[6] = o.t0;
     m[7] = o.t1;
     put(put(&m[8], o.from), o.to);
+    m[32] = o.frequency;
     return m;
 }
 
@@ -44,6 +45,7 @@ Order unpack(const OrderMessage& m) {
             .current = m[5] != 0.0,
             .t0 = m[6],
             .t1 = m[7],
+            .frequency = m[32],
             .from = motion_at(&m[8]),
             .to = motion_at(&m[20])};
 }
@@ -59,7 +61,7 @@ void pack_reply_to(const Reply& reply, Ask ask, std::span<double> out) {
     for (const LineLoad& line : reply.lines) {
         to = std::copy(line.wrench.data(), line.wrench.data() + 6, to);
         *to++ = line.end_tension;
-        if (ask == Ask::equilibrium)
+        if (replies_stiffness(ask))
             to = std::copy(line.stiffness.data(), line.stiffness.data() + 36, to);
     }
 }
@@ -78,7 +80,7 @@ LineLoad unpack_line(std::span<const double> message, Ask ask, int line) {
     LineLoad load;
     load.wrench = Vec6(from);
     load.end_tension = from[6];
-    if (ask == Ask::equilibrium) load.stiffness = Mat6(from + 7);
+    if (replies_stiffness(ask)) load.stiffness = Mat6(from + 7);
     return load;
 }
 

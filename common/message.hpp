@@ -9,8 +9,8 @@
 
 namespace hawser {
 
-/// ask, five flags, t0, t1, the 12 states of P:1 at t0 and at t1.
-inline constexpr int order_numbers = 32;
+/// ask, five flags, t0, t1, the 12 states of P:1 at t0 and at t1, frequency.
+inline constexpr int order_numbers = 33;
 using OrderMessage = std::array<double, order_numbers>;
 
 [[nodiscard]] OrderMessage pack(const Order& order);
@@ -19,7 +19,10 @@ using OrderMessage = std::array<double, order_numbers>;
 /// One status, then per line wrench and end tension, and the 36 numbers of the stiffness where the
 /// order asks for it.
 inline constexpr int status_numbers = 6;
-[[nodiscard]] inline int numbers_per_line(Ask ask) { return ask == Ask::equilibrium ? 43 : 7; }
+[[nodiscard]] inline bool replies_stiffness(Ask ask) {
+    return ask == Ask::equilibrium || ask == Ask::impedance;
+}
+[[nodiscard]] inline int numbers_per_line(Ask ask) { return replies_stiffness(ask) ? 43 : 7; }
 [[nodiscard]] inline int reply_numbers(Ask ask, int lines) {
     return status_numbers + lines * numbers_per_line(ask);
 }

@@ -21,7 +21,8 @@ struct ConstraintAtRest {
 
 /// A line in the static solution. Angles are those of the direction of growing arc length.
 struct LineAtRest {
-    double tension_a = 0.0, tension_b = 0.0;          ///< effective tension at the ends [N]
+    double tension_a = 0.0, tension_b = 0.0;  ///< effective tension at the ends; at end A of a
+                                              ///< riser in a tensioner that one's pull [N]
     double declination_a = 0.0, declination_b = 0.0;  ///< from vertical down [rad]
     double azimuth_a = 0.0, azimuth_b = 0.0;          ///< in the horizontal plane, from +x [rad]
     double lowest_tension = 0.0;                      ///< effective tension along the line [N]
@@ -29,6 +30,20 @@ struct LineAtRest {
     double grounded = 0.0;                            ///< length in contact with the seabed [m]
     double touchdown = NAN;                     ///< least arc length in contact [m]; NaN: none
     std::vector<ConstraintAtRest> constraints;  ///< in the order of Line::constraints
+    std::vector<double> arc_length;             ///< of the nodes, from end A [m]
+    std::vector<Vec3> position;                 ///< of the nodes [m]
+};
+
+/// A natural mode of a rod about its static solution, ends held, undamped.
+struct RodMode {
+    enum class Kind { axial, in_plane, out_of_plane };
+    double omega_squared = 0.0;  ///< [rad2/s2]; not above zero: nothing holds the rod that way
+    Kind kind = Kind::in_plane;  ///< the greatest of the shares
+    double axial = 0.0, in_plane = 0.0, out_of_plane = 0.0;  ///< shares of the energy, sum 1
+    std::vector<Vec3> shape;               ///< displacement of the nodes from end A, largest 1
+    [[nodiscard]] double period() const {  ///< [s]; infinite without stiffness
+        return omega_squared > 0.0 ? 2.0 * M_PI / std::sqrt(omega_squared) : INFINITY;
+    }
 };
 
 /// All lines of a case in this process. at_rest() tells of the last order `equilibrium`.
@@ -36,6 +51,8 @@ class RestingLines : public Lines {
  public:
     /// One per line, in line order.
     [[nodiscard]] virtual std::vector<LineAtRest> at_rest() const = 0;
+    /// The lowest modes of a line about the last order `equilibrium`, ascending in frequency.
+    virtual std::vector<RodMode> modes(int line, int count) = 0;
 };
 
 /// Defined by worker/.

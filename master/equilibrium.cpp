@@ -4,18 +4,15 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "motion_names.hpp"
 #include "paper_rate.hpp"
 #include "pose.hpp"
 
 namespace hawser::master {
 
 namespace {
-
-constexpr std::array<const char*, 6> motion_names = {"surge", "sway",  "heave",
-                                                     "roll",  "pitch", "yaw"};
 
 const Reply& ask(Lines& lines, const PlatformMotion& pose, bool current) {
     Order order;
@@ -80,7 +77,7 @@ Vec6 limited(const Vec6& dX, const NewtonLimits& limits) {
 
 Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
                              const PlatformMotion& start, bool current, const NewtonLimits& limits,
-                             const std::function<std::string(const Status&)>& describe) {
+                             const Describe& describe) {
     constexpr int most_halvings = 6;
     Equilibrium at{.pose = start, .lines = {}};
     at.lines = lines_at(lines, start, current, describe);
@@ -107,16 +104,16 @@ Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
             moved = displaced(at.pose, dX);
             reply = &ask(lines, moved, current);
         }
-        if (!reply->status.ok()) throw RunError(ExitCode::no_equilibrium, describe(reply->status));
+        if (!reply->status.ok())
+            throw RunError(ExitCode::no_equilibrium, describe(reply->status, moved));
         at.pose = moved;
         at.lines = *reply;
     }
 }
 
-Reply lines_at(Lines& lines, const PlatformMotion& pose, bool current,
-               const std::function<std::string(const Status&)>& describe) {
+Reply lines_at(Lines& lines, const PlatformMotion& pose, bool current, const Describe& describe) {
     const Reply& reply = ask(lines, pose, current);
-    if (!reply.status.ok()) throw RunError(ExitCode::no_equilibrium, describe(reply.status));
+    if (!reply.status.ok()) throw RunError(ExitCode::no_equilibrium, describe(reply.status, pose));
     return reply;
 }
 

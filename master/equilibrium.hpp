@@ -34,6 +34,9 @@ struct Equilibrium {
     double force = 0.0, moment = 0.0;  ///< out of balance [N, N.m]
 };
 
+/// Words for a line that failed with the platform at a pose.
+using Describe = std::function<std::string(const Status&, const PlatformMotion&)>;
+
 /// Solves load(pose) + sum of the lines' wrenches = 0:
 ///
 ///     (K + sum S) dX = load + sum f,     pose <- pose moved by dX
@@ -46,10 +49,9 @@ struct Equilibrium {
 /// Throws RunError (no_equilibrium) with the reason.
 Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
                              const PlatformMotion& start, bool current, const NewtonLimits& limits,
-                             const std::function<std::string(const Status&)>& describe);
+                             const Describe& describe);
 
 /// The lines' static loads with the platform held at a pose. Throws RunError (no_equilibrium).
-Reply lines_at(Lines& lines, const PlatformMotion& pose, bool current,
-               const std::function<std::string(const Status&)>& describe);
+Reply lines_at(Lines& lines, const PlatformMotion& pose, bool current, const Describe& describe);
 
 }  // namespace hawser::master

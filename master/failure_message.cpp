@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "line_mesh.hpp"
+#include "statics_diagnosis.hpp"
 
 namespace hawser::master {
 
@@ -24,36 +25,8 @@ double largest_cfl(const Line& line, const Case& input) {
     return largest;
 }
 
-namespace {
-
-/// Words for a stiffness that no equilibrium can be found with, beside the line's weight W; empty
-/// if all are of a usual size.
-std::string absurd_stiffness(const Line& line, const Case& input) {
-    double weight = 0.0;
-    for (const Section& section : line.sections)
-        weight += input.line_types[static_cast<std::size_t>(section.type)].mass *
-                  input.environment.water.gravity * section.length;
-    for (const Section& section : line.sections) {
-        const LineType& type = input.line_types[static_cast<std::size_t>(section.type)];
-        if (type.EA < 2.0 * weight)
-            return fmt::format(
-                "EA = {:.3g} N of {}: the line's own weight of {:.3g} N would stretch it by half",
-                type.EA, type.name, weight);
-        if (type.EA > 1e10 * weight)  // the stretch is lost in the rounding of positions
-            return fmt::format("EA = {:.3g} N of {}, {:.0e} times the line's weight", type.EA,
-                               type.name, type.EA / weight);
-        const double straight = std::cbrt(type.EI * line.length() / weight);  // (EI/w)^(1/3)
-        if (straight > line.length())
-            return fmt::format(
-                "EI = {:.3g} N.m2 of {}: a beam so stiff stays straight over {:.3g} m", type.EI,
-                type.name, straight);
-    }
-    return "";
-}
-
-}  // namespace
-
-std::string failure_message(const Status& status, const Case& input, int stage) {
+std::string failure_message(const Status& status, const Case& input, int stage,
+                            const PlatformMotion& pose) {
     const bool known = status.line >= 0 && status.line < static_cast<int>(input.lines.size());
     const Line* line = known ? &input.lines[static_cast<std::size_t>(status.line)] : nullptr;
     const std::string name = known ? line->name : "lines";
@@ -75,12 +48,11 @@ std::string failure_message(const Status& status, const Case& input, int stage) 
             "cause: the platform comes down on the line faster than a line without inertia can "
             "follow; give it the model dynamic",
             when, where);
-    const std::string stiffness = known && !in_motion ? absurd_stiffness(*line, input) : "";
-    if (!stiffness.empty() &&
-        (status.code == Status::Code::no_equilibrium ||
-         status.code == Status::Code::false_equilibrium || status.code == Status::Code::not_finite))
-        return fmt::format("{}: no static solution after {} iterations; likely cause: {}", name,
-                           status.iterations, stiffness);
+    if (status.code == Status::Code::not_finite && status.t == 0.0 && stage == 0 && known)
+        return fmt::format(
+            "{}: no static solution after {} iterations, a number is not finite at {}; likely "
+            "cause: {}",
+            name, status.iterations, where, static_failure_cause(*line, input, pose));
     switch (status.code) {
         case Status::Code::ok:
             return when + ": no failure";
@@ -100,17 +72,14 @@ std::string failure_message(const Status& status, const Case& input, int stage) 
         case Status::Code::no_equilibrium:
             return fmt::format(
                 "{}: no static solution after {} iterations, largest position correction {:.2g} m "
-                "at {}; likely cause: a line too short for its ends or so long that it lies slack, "
-                "an anchor off "
-                "the seabed, or "
-                "a line type lighter than water",
-                name, status.iterations, status.residual, where);
+                "at {}; likely cause: {}",
+                name, status.iterations, status.residual, where,
+                line ? static_failure_cause(*line, input, pose) : "");
         case Status::Code::false_equilibrium:
             return fmt::format(
-                "{}: the static solution found is not a hanging line (compressed or folded at "
-                "{}); likely cause: a line longer than its layout allows, or a section lighter "
-                "than water",
-                name, where);
+                "{}: no static solution: what was found is not a hanging line (compressed, folded or "
+                "stretched beyond reason at {}); likely cause: {}",
+                name, where, line ? static_failure_cause(*line, input, pose) : "");
     }
     return when;
 }

@@ -5,7 +5,6 @@
 #include "equilibrium.hpp"
 #include "failure_message.hpp"
 #include "io/hydro_file.hpp"
-#include "natural_periods.hpp"
 #include "offset_curve.hpp"
 #include "paper_rate.hpp"
 #include "stability.hpp"
@@ -17,7 +16,9 @@ namespace hawser {
 StaticsReport find_statics(const Case& input, const StaticsRequest& request) {
     using namespace master;
     StaticsReport report;
-    const auto describe = [&](const Status& s) { return failure_message(s, input, 0); };
+    const auto describe = [&](const Status& s, const PlatformMotion& pose) {
+        return failure_message(s, input, 0, pose);
+    };
     const std::unique_ptr<RestingLines> lines = make_resting_lines(input);
     if (!input.platform) {
         lines_at(*lines, PlatformMotion{}, input.analysis.statics.current, describe);
@@ -41,7 +42,7 @@ StaticsReport find_statics(const Case& input, const StaticsRequest& request) {
         p.stiffness = start.stiffness;
         for (const LineLoad& line : start.lines.lines) p.line_stiffness += line.stiffness;
         p.stability = start.stability;
-        p.periods = natural_periods(start.stiffness, hull.static_mass(start.equilibrium));
+        for (std::size_t i = 0; i < 6; ++i) p.periods[i] = start.modes[i].period();
         p.added_mass_frequency = hull.radiation().frequency;
         p.iterations = start.iterations;
     }

@@ -14,7 +14,7 @@ constexpr double alike = 1e-6;  // of symmetric lines the first in line order is
 }
 
 OffsetCurve offset_curve(const Case& input, const StaticsRequest& request, Lines& lines,
-                         const std::function<std::string(const Status&)>& describe) {
+                         const Describe& describe) {
     OffsetCurve curve;
     curve.heading = request.heading;
     for (int i = 0; i < static_cast<int>(input.lines.size()); ++i)

@@ -1,9 +1,7 @@
 // The restoring curve: what the lines do to the platform when it is held away from its place.
 #pragma once
 
-#include <functional>
-#include <string>
-
+#include "equilibrium.hpp"
 #include "lines.hpp"
 #include "statics_report.hpp"
 
@@ -13,6 +11,6 @@ namespace hawser::master {
 /// water. Throws RunError (no_equilibrium) where a line has no solution; (input) if no line is
 /// called as asked for.
 OffsetCurve offset_curve(const Case& input, const StaticsRequest& request, Lines& lines,
-                         const std::function<std::string(const Status&)>& describe);
+                         const Describe& describe);
 
 }  // namespace hawser::master

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -10,7 +9,7 @@
 #include "failure_message.hpp"
 #include "io/result_fields.hpp"
 #include "lines_loop.hpp"
-#include "natural_periods.hpp"
+#include "motion_names.hpp"
 #include "packing.hpp"
 #include "paper_loop.hpp"
 #include "shares.hpp"
@@ -89,7 +88,9 @@ void Simulation::coupled() {
 }
 
 void Simulation::lines_alone() {
-    const auto describe = [&](const Status& s) { return failure_message(s, input_, 0); };
+    const auto describe = [&](const Status& s, const PlatformMotion& pose) {
+        return failure_message(s, input_, 0, pose);
+    };
     const Reply start =
         lines_at(lines_, PlatformMotion{}, input_.analysis.statics.current, describe);
     keep_statics(nullptr, start);
@@ -110,8 +111,6 @@ void Simulation::keep_statics(const PlatformMotion* platform, const Reply& lines
 }
 
 void Simulation::keep_platform_facts(const StaticStart& start) {
-    constexpr std::array<const char*, 6> motions = {"surge", "sway",  "heave",
-                                                    "roll",  "pitch", "yaw"};
     platform_facts_ = {{"mass", "kg", "mass of the platform", hull_->mass()},
                        {"acting_buoyancy", "N", "buoyancy at the design draft in still water",
                         hull_->acting_buoyancy()}};
@@ -132,14 +131,13 @@ void Simulation::keep_platform_facts(const StaticStart& start) {
     if (frequency > 0.0)
         platform_facts_.push_back({"added_mass_frequency", "rad/s",
                                    "constant added mass and damping taken at", frequency});
-    const Mat6 M = hull_->static_mass(start.equilibrium);
-    const char* springs = input_.lines.empty() ? "" : ", static stiffness of lines";
-    const auto periods = natural_periods(start.stiffness, M);
-    for (std::size_t i = 0; i < periods.size(); ++i)
-        if (periods[i])
-            platform_facts_.push_back({std::string("period_") + motions[i], "s",
-                                       std::string("natural period in ") + motions[i] + springs,
-                                       *periods[i]});
+    const char* with = input_.lines.empty() ? "" : ", lines with their inertia";
+    for (const CoupledMode& mode : start.modes) {
+        const std::string motion = motion_names[static_cast<std::size_t>(mode.motion)];
+        if (const auto period = mode.period())
+            platform_facts_.push_back(
+                {"period_" + motion, "s", "natural period in " + motion + with, *period});
+    }
 }
 
 bool Simulation::go_on(int step, double t, Order& next, const PlatformMotion* platform,

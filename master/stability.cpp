@@ -5,11 +5,12 @@
 #include <Eigen/Eigenvalues>
 #include <array>
 
+#include "motion_names.hpp"
+
 namespace hawser::master {
 
 namespace {
 
-constexpr std::array<const char*, 6> motions = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 constexpr Statics no_mean_loads{.current = false, .wind_mean = false, .drift_mean = false};
 
 std::string joined(const std::vector<std::string>& words) {
@@ -46,7 +47,7 @@ Stability stability_of(const Hull& hull, double gravity, const Mat6& K, double l
     for (int i = 0; i < 6; ++i) {
         int motion = 0;
         modes.eigenvectors().col(i).cwiseAbs().maxCoeff(&motion);
-        const char* name = motions[static_cast<std::size_t>(motion)];
+        const char* name = motion_names[static_cast<std::size_t>(motion)];
         if (modes.eigenvalues()[i] < -least)
             out.unstable.emplace_back(name);
         else if (modes.eigenvalues()[i] <= least)

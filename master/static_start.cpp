@@ -5,23 +5,68 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupled_modes.hpp"
 #include "equilibrium.hpp"
 #include "failure_message.hpp"
+#include "motion_names.hpp"
 #include "paper_rate.hpp"
 #include "stability.hpp"
 
 namespace hawser::master {
 
+namespace {
+
+/// A given mass so far from the buoyancy that the hull alone would go down or jump out by a quarter
+/// of its draft: said before any line is looked at.
+void refuse_if_it_sinks(const Platform& platform, const Hull& hull, double g, double stiffness) {
+    const double buoyancy = hull.acting_buoyancy(), weight = hull.mass() * g;
+    double draft = platform.draft.value_or(0.0);
+    for (const Member& member : platform.members)
+        draft = std::max({draft, -member.from.z(), -member.to.z()});
+    if (buoyancy <= 0.0 || draft <= 0.0) return;
+    const double sinks = weight - buoyancy;
+    if (sinks <= 0.25 * draft * std::max(stiffness, 0.0) || sinks <= 0.005 * buoyancy) return;
+    throw RunError(
+        ExitCode::no_equilibrium,
+        fmt::format("{}: weight {:.4g} kN (mass {:.4g} t) is more than the buoyancy of {:.4g} kN "
+                    "can carry: without any line it would sink by more than a quarter of its "
+                    "draft; look at platform.mass and its unit (platform.mass: auto would fit)",
+                    platform.name, weight / 1e3, hull.mass() / 1e3, buoyancy / 1e3));
+}
+
+/// What is wrong with the hull itself is said before the failure that it led to.
+std::string with_cause_in_the_hull(const std::string& failure, const std::string& unbalanced,
+                                   const Platform& platform, const Hull& hull, double g) {
+    std::string out;
+    if (!unbalanced.empty()) out += unbalanced + "; so it ends with: ";
+    const double roll = hull_GM(hull, 0, g), pitch = hull_GM(hull, 1, g);
+    if (std::min(roll, pitch) < 0.0)
+        out += fmt::format(
+            "{}: GM of the hull alone is negative (roll {:.2f} m, pitch {:.2f} m), "
+            "it does not stand upright; so it ends with: ",
+            platform.name, roll, pitch);
+    return out + failure;
+}
+
+}  // namespace
+
 StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
     const Platform& platform = *input.platform;
     const Statics& statics = input.analysis.statics;
     const double g = input.environment.water.gravity;
-    const auto describe = [&](const Status& s) { return failure_message(s, input, 0); };
+    const auto describe = [&](const Status& s, const PlatformMotion& pose) {
+        return failure_message(s, input, 0, pose);
+    };
 
     StaticStart out;
+    // Weight against buoyancy comes first: a platform that does not float drags a line along until
+    // that one fails and has the blame.
+    const double stiffness = hull.static_stiffness(PlatformMotion{}, statics)(2, 2);
+    if (!hull.mass_is_auto()) refuse_if_it_sinks(platform, hull, g, stiffness);
     const Reply design = lines_at(lines, PlatformMotion{}, false, describe);
     out.vertical_line_load = -total_wrench(design)[2];
     const double floats = hull.acting_buoyancy() - out.vertical_line_load;
+    std::string unbalanced;
     if (hull.mass_is_auto()) {
         if (floats <= 0.0)
             throw RunError(ExitCode::no_equilibrium,
@@ -32,11 +77,16 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
         hull.set_mass(floats / g);
     } else if (hull.acting_buoyancy() > 0.0 &&
                std::abs(hull.mass() * g - floats) > 0.005 * hull.acting_buoyancy()) {
-        out.notes.push_back(fmt::format(
+        double held = stiffness;
+        for (const LineLoad& line : design.lines) held += line.stiffness(2, 2);
+        unbalanced = fmt::format(
             "{}: weight {:.4g} kN and line loads {:.4g} kN do not balance the buoyancy of {:.4g} "
-            "kN at the design draft; it will float elsewhere (platform.mass: auto would fit)",
+            "kN at the design draft; it will float elsewhere, about {:+.3g} m in heave "
+            "(platform.mass: auto would fit)",
             platform.name, hull.mass() * g / 1e3, out.vertical_line_load / 1e3,
-            hull.acting_buoyancy() / 1e3));
+            hull.acting_buoyancy() / 1e3,
+            held > 0.0 ? (floats - hull.mass() * g) / held : HUGE_VAL);
+        out.notes.push_back(unbalanced);
     }
 
     const double radius = std::sqrt(hull.body().inertia.trace() / (3.0 * hull.mass()));
@@ -50,8 +100,13 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
     NewtonLimits limits;
     limits.tolerance = statics.tolerance;
     limits.max_iterations = statics.max_iterations;
-    Equilibrium rest =
-        find_equilibrium(body, lines, PlatformMotion{}, statics.current, limits, describe);
+    Equilibrium rest;
+    try {
+        rest = find_equilibrium(body, lines, PlatformMotion{}, statics.current, limits, describe);
+    } catch (const RunError& error) {
+        throw RunError(error.code(),
+                       with_cause_in_the_hull(error.what(), unbalanced, platform, hull, g));
+    }
 
     out.equilibrium = out.start = rest.pose;
     out.iterations = rest.iterations;
@@ -60,6 +115,14 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
     out.stability = stability_of(hull, g, out.stiffness, body.length);
     for (std::string& warning : stability_warnings(out.stability, platform.name))
         out.notes.push_back(std::move(warning));
+    out.modes = coupled_modes(body.stiffness(rest.pose), hull.static_mass(rest.pose),
+                              line_stiffness_of(lines, rest.pose));
+    for (const CoupledMode& mode : out.modes)
+        if (!mode.converged)
+            out.notes.push_back(fmt::format(
+                "{}: the natural period in {} lies where lines swing by themselves and was not "
+                "found; that of the static stiffness is told",
+                platform.name, motion_names[static_cast<std::size_t>(mode.motion)]));
     out.start.position += platform.initial.position;
     out.start.angles += platform.initial.angles;
     out.lines = std::move(rest.lines);

@@ -2,23 +2,26 @@
 // the offset that the case adds to it. Case key `platform.mass: auto`.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "case/case.hpp"
 #include "hull.hpp"
 #include "lines.hpp"
+#include "modes_report.hpp"
 #include "statics_report.hpp"
 
 namespace hawser::master {
 
 struct StaticStart {
-    PlatformMotion equilibrium;       ///< at rest under the mean loads
-    PlatformMotion start;             ///< with `platform.initial` added
-    Reply lines;                      ///< static loads at `start`
-    Mat6 stiffness = Mat6::Zero();    ///< of platform and lines at the equilibrium, about O
-    double vertical_line_load = 0.0;  ///< at the design position in still water, downwards [N]
-    Stability stability;              ///< at the equilibrium
+    PlatformMotion equilibrium;        ///< at rest under the mean loads
+    PlatformMotion start;              ///< with `platform.initial` added
+    Reply lines;                       ///< static loads at `start`
+    Mat6 stiffness = Mat6::Zero();     ///< of platform and lines at the equilibrium, about O
+    double vertical_line_load = 0.0;   ///< at the design position in still water, downwards [N]
+    Stability stability;               ///< at the equilibrium
+    std::array<CoupledMode, 6> modes;  ///< about it
     int iterations = 0;
     std::vector<std::string> notes;  ///< warnings
 };

@@ -5,6 +5,7 @@
 
 #include "packing.hpp"
 #include "rod/at_rest.hpp"
+#include "rod/modes.hpp"
 #include "roles.hpp"
 
 namespace hawser {
@@ -49,11 +50,12 @@ const Reply& LocalLines::receive() {
         if (order_.ask == Ask::run_to) take_status(pack.pass(order_.t0, order_.t1, platform));
         if (order_.ask == Ask::equilibrium)
             take_status(pack.equilibrium(order_.to, order_.current));
+        if (order_.ask == Ask::impedance) pack.swing(order_.frequency);
         for (int i = 0; i < static_cast<int>(pack.lines().size()); ++i) {
             LineLoad& load = reply_.lines[place_[p][static_cast<std::size_t>(i)]];
             load.wrench = pack.pass_wrench(i);
             load.end_tension = pack.tension_a(i);
-            if (order_.ask == Ask::equilibrium)
+            if (order_.ask == Ask::equilibrium || order_.ask == Ask::impedance)
                 load.stiffness = pack.stiffness(i, order_.to.position);
         }
     }
@@ -66,6 +68,14 @@ std::vector<LineAtRest> LocalLines::at_rest() const {
         for (std::size_t i = 0; i < place_[p].size(); ++i)
             out[place_[p][i]] = worker::at_rest(packs_[p], static_cast<int>(i), *input_);
     return out;
+}
+
+std::vector<RodMode> LocalLines::modes(int line, int count) {
+    for (RodPack<Quad>& pack : packs_)
+        for (int i = 0; i < static_cast<int>(pack.lines().size()); ++i)
+            if (pack.lines()[static_cast<std::size_t>(i)] == line)
+                return rod_modes(pack, i, *input_, count);
+    return {};
 }
 
 void LocalLines::take_status(const Status& status) {

@@ -19,6 +19,7 @@ class LocalLines final : public RestingLines {
     void send(const Order& order) override;
     const Reply& receive() override;
     [[nodiscard]] std::vector<LineAtRest> at_rest() const override;
+    std::vector<RodMode> modes(int line, int count) override;
 
     [[nodiscard]] const std::vector<RodPack<Quad>>& packs() const { return packs_; }
     std::vector<RodPack<Quad>>& packs() { return packs_; }

@@ -30,7 +30,8 @@ io::RankTimes worker_loop(const io::Link& link, Lines& lines, io::SeriesWriter* 
         if (order.write_segment) results->write_segment();
         switch (order.ask) {
             case Ask::run_to:
-            case Ask::equilibrium: {
+            case Ask::equilibrium:
+            case Ask::impedance: {
                 const Reply& reply = lines.receive();
                 const int n = static_cast<int>(reply.lines.size());
                 message.resize(static_cast<std::size_t>(reply_numbers(order.ask, n)));

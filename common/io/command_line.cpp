@@ -96,6 +96,28 @@ void add_statics(CLI::App& app, Options& options, CommandLine& line) {
         "line; 6 input or output failure.");
 }
 
+void add_modes(CLI::App& app, Options& options, CommandLine& line) {
+    CLI::App& modes = *app.add_subcommand(
+        "modes",
+        "Natural periods and shapes about the equilibrium that starts a run, undamped: of every "
+        "line with its ends held, and of the platform with its lines and their inertia.");
+    add_case(modes, options);
+    modes
+        .add_option("--count", line.modes.count,
+                    "Modes of each line, the lowest (default analysis.modes.count)")
+        ->type_name("N")
+        ->check(CLI::PositiveNumber);
+    modes.add_option("--line", line.modes.lines, "Lines to look at, e.g. \"scr*\" (default all)")
+        ->type_name("GLOB");
+    modes.add_flag("--json", line.json, "Print everything as JSON, shapes too");
+    modes.add_option("-o,--output", options.output_file, "Write periods and kinds as CSV")
+        ->type_name("FILE");
+    modes.callback([&line] { line.command = CommandLine::Command::modes; });
+    modes.footer(
+        "Exit codes: 0 found; 3 not valid; 4 no static equilibrium; 2 wrong command line; "
+        "6 input or output failure.");
+}
+
 /// "from:to:step" or "a,b,c"; false if it is neither.
 bool read_offsets(const std::string& text, std::vector<double>& out) {
     std::vector<double> numbers;
@@ -180,6 +202,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     app.footer(std::string("hawser COMMAND --help tells the options of each.\n") + exit_codes);
     add_run(app, options, line);
     add_statics(app, options, line);
+    add_modes(app, options, line);
     add_others(app, options, line);
     try {
         app.parse(argc, argv);
@@ -191,7 +214,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
         const std::string first = argc > 1 ? argv[1] : "";
         if (code != 0 && !first.empty() && first[0] != '-' && app.get_subcommands().empty()) {
             line.message = fmt::format(
-                "unknown command \"{}\"; the commands are run, check, statics, schema, version\n",
+                "unknown command \"{}\"; the commands are run, check, statics, modes, schema, "
+                "version\n",
                 first);
         }
         return line;

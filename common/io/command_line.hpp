@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "modes_report.hpp"
 #include "roles.hpp"
 #include "statics_report.hpp"
 #include "status.hpp"
@@ -14,10 +15,10 @@
 namespace hawser::io {
 
 struct CommandLine {
-    enum class Command { none, run, check, statics, schema, version };
+    enum class Command { none, run, check, statics, modes, schema, version };
     Command command = Command::none;
 
-    std::filesystem::path case_file;  ///< run, check, statics
+    std::filesystem::path case_file;  ///< run, check, statics, modes
     std::vector<std::pair<std::string, std::string>>
         overrides;  ///< --set, --duration, --seed: key path and value, in this order
 
@@ -29,10 +30,11 @@ struct CommandLine {
 
     bool echo = false;                  ///< check
     bool with_statics = false;          ///< check
-    bool json = false;                  ///< check, statics
+    bool json = false;                  ///< check, statics, modes
     StaticsRequest statics;             ///< statics: the restoring curve
+    ModesRequest modes;                 ///< modes
     bool reference = false;             ///< schema
-    std::filesystem::path output_file;  ///< schema: empty, so standard output; statics: CSV
+    std::filesystem::path output_file;  ///< schema: empty, so standard output; statics, modes: CSV
 
     std::string text;  ///< the whole command, for the result's attributes
 

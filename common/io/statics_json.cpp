@@ -7,12 +7,12 @@
 #include "io/json.hpp"
 #include "io/statics_text.hpp"
 #include "io/summary.hpp"
+#include "motion_names.hpp"
 
 namespace hawser::io {
 namespace {
 
 constexpr double degrees = 180.0 / M_PI;
-constexpr std::array<const char*, 6> motions = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
 template <class Values>
 Json list(const Values& values) {
@@ -35,8 +35,9 @@ Json platform_json(const PlatformAtRest& p) {
     Json position = Json::object(), periods = Json::object();
     for (std::size_t i = 0; i < 6; ++i) {
         const auto k = static_cast<int>(i % 3);
-        position.put(motions[i], i < 3 ? p.position.position[k] : degrees * p.position.angles[k]);
-        if (p.periods[i]) periods.put(motions[i], *p.periods[i]);
+        position.put(motion_names[i],
+                     i < 3 ? p.position.position[k] : degrees * p.position.angles[k]);
+        if (p.periods[i]) periods.put(motion_names[i], *p.periods[i]);
     }
     const Stability& s = p.stability;
     Json out = Json::object();

@@ -7,12 +7,12 @@
 
 #include "io/summary.hpp"
 #include "io/text_table.hpp"
+#include "motion_names.hpp"
 
 namespace hawser::io {
 namespace {
 
 constexpr double degrees = 180.0 / M_PI;
-constexpr std::array<const char*, 6> motions = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
 std::string fact(const std::string& what, const std::string& value) {
     return fmt::format("{:<58} {}\n", what, value);
@@ -67,8 +67,8 @@ std::string platform_text(const Case& input, const PlatformAtRest& p) {
     std::string periods;
     for (std::size_t i = 0; i < 6; ++i)
         if (p.periods[i])
-            periods +=
-                fmt::format("{}{} {:.2f}", periods.empty() ? "" : ", ", motions[i], *p.periods[i]);
+            periods += fmt::format("{}{} {:.2f}", periods.empty() ? "" : ", ", motion_names[i],
+                                   *p.periods[i]);
     if (!periods.empty()) out += fact("natural periods", periods + " s");
     if (p.added_mass_frequency > 0.0)
         out += fact("added mass taken at", number(p.added_mass_frequency, 4) + " rad/s");
@@ -84,10 +84,10 @@ std::string stiffness_text(const std::string& name, const Mat6& K) {
     std::string out = title(name + " about the reference point: -d(load)/d(motion)");
     TextTable table;
     table.column("force, moment along");
-    for (std::size_t i = 0; i < 6; ++i) table.column(motions[i], i < 3 ? "per m" : "per rad");
+    for (std::size_t i = 0; i < 6; ++i) table.column(motion_names[i], i < 3 ? "per m" : "per rad");
     for (int i = 0; i < 6; ++i) {
-        std::vector<std::string> cells{
-            fmt::format("{} {}", motions[static_cast<std::size_t>(i)], i < 3 ? "[N]" : "[N.m]")};
+        std::vector<std::string> cells{fmt::format(
+            "{} {}", motion_names[static_cast<std::size_t>(i)], i < 3 ? "[N]" : "[N.m]")};
         for (int k = 0; k < 6; ++k) {
             const double least = 1e-9 * std::sqrt(std::abs(K(i, i) * K(k, k)));
             cells.push_back(digits(std::abs(K(i, k)) < least ? 0.0 : K(i, k), 4));

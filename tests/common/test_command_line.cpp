@@ -50,6 +50,10 @@ TEST(CommandLine, OtherCommandsTakeTheirs) {
     EXPECT_EQ(parse({"statics", "a.yml", "--offset", "-5,0,5"}).statics.offsets,
               (std::vector<double>{-5, 0, 5}));
     EXPECT_TRUE(parse({"check", "a.yml", "--statics"}).with_statics);
+    const CommandLine modes = parse({"modes", "a.yml", "--count", "7", "--line", "scr*", "--json"});
+    EXPECT_EQ(modes.command, CommandLine::Command::modes);
+    EXPECT_EQ(modes.modes.count, 7);
+    EXPECT_EQ(modes.modes.lines, "scr*");
     EXPECT_EQ(parse({"version"}).command, CommandLine::Command::version);
 }
 
@@ -68,6 +72,7 @@ TEST(CommandLine, WrongOnesEndWithCodeTwo) {
         {"statics", "a.yml", "--offset", "0:10"},
         {"statics", "a.yml", "--offset", "0:10:-1"},
         {"statics", "a.yml", "--offset", "five"},
+        {"modes", "a.yml", "--count", "0"},
     };
     for (const auto& words : wrong) {
         const CommandLine line = parse(words);

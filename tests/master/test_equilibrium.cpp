@@ -58,7 +58,9 @@ class GroundSprings final : public Lines {
     Reply reply_;
 };
 
-std::string describe(const Status& status) { return "line " + std::to_string(status.line); }
+std::string describe(const Status& status, const PlatformMotion&) {
+    return "line " + std::to_string(status.line);
+}
 
 /// A body whose own load is constant: no stiffness.
 StaticPlatform pushed(const Vec6& load) {

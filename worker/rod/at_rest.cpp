@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "line_mesh.hpp"
+#include "rod/recovered.hpp"
 
 namespace hawser::worker {
 
@@ -11,26 +12,6 @@ namespace {
 
 double declination(const Vec3& u) { return std::atan2(std::hypot(u.x(), u.y()), -u.z()); }
 double azimuth(const Vec3& u) { return std::atan2(u.y(), u.x()); }
-
-/// Height of the line's underside above the bed at its nodes, from end A [m].
-template <class V>
-std::vector<double> clearance(const RodPack<V>& pack, int lane, const Case& input, const Line& line,
-                              const LineMesh& mesh) {
-    const Seabed& bed = input.environment.seabed;
-    const double rise = std::tan(bed.slope_angle);
-    std::vector<double> out;
-    for (int n = 0; n <= mesh.elements(); ++n) {
-        const Vec3 r = pack.node_position(lane, n);
-        const double along =
-            r.x() * std::cos(bed.slope_direction) + r.y() * std::sin(bed.slope_direction);
-        const int element = std::min(n, mesh.elements() - 1);
-        const int section = mesh.section[static_cast<std::size_t>(element)];
-        const int type = line.sections[static_cast<std::size_t>(section)].type;
-        const double D = input.line_types[static_cast<std::size_t>(type)].outer_diameter;
-        out.push_back(r.z() - 0.5 * D + bed.depth - rise * along);
-    }
-    return out;
-}
 
 }  // namespace
 
@@ -46,6 +27,10 @@ LineAtRest at_rest(const RodPack<V>& pack, int lane, const Case& input) {
     LineAtRest out;
     out.tension_a = pack.tension_a(lane);
     out.tension_b = pack.tension_b(lane);
+    for (int c = 0; c < static_cast<int>(line.constraints.size()); ++c)  // of a riser in its rams
+        if (line.end_a.kind == EndKind::free &&
+            line.constraints[static_cast<std::size_t>(c)].type == ConstraintType::tensioner)
+            out.tension_a = pack.constraint_magnitude(lane, c);
     const Vec3 u_a = pack.direction_a(lane), u_b = pack.direction_b(lane);
     out.declination_a = declination(u_a), out.declination_b = declination(u_b);
     out.azimuth_a = azimuth(u_a), out.azimuth_b = azimuth(u_b);
@@ -61,17 +46,11 @@ LineAtRest at_rest(const RodPack<V>& pack, int lane, const Case& input) {
         }
     }
 
-    const std::vector<double> z = clearance(pack, lane, input, line, mesh);
-    for (std::size_t n = 0; n < N; ++n) {
-        const double L = s[n + 1] - s[n], za = z[n], zb = z[n + 1];
-        if (za > 0.0 && zb > 0.0) continue;
-        const double crossing = za * zb < 0.0 ? za / (za - zb) : 0.0;  // where between the nodes
-        const double lies = za * zb >= 0.0 ? L : za > 0.0 ? (1.0 - crossing) * L : crossing * L;
-        out.grounded += lies;
-        if (lies > 0.0 && std::isnan(out.touchdown))
-            out.touchdown = s[n] + (za > 0.0 ? crossing * L : 0.0);
-    }
-
+    const Grounding bed = Recovery<V>(input, pack).grounding(pack, lane);
+    out.grounded = bed.grounded;
+    out.touchdown = bed.touchdown;
+    out.arc_length = s;
+    for (int n = 0; n <= mesh.elements(); ++n) out.position.push_back(pack.node_position(lane, n));
     for (int c = 0; c < static_cast<int>(line.constraints.size()); ++c)
         out.constraints.push_back({.force = pack.constraint_force(lane, c),
                                    .magnitude = pack.constraint_magnitude(lane, c),

@@ -8,8 +8,7 @@
 
 namespace hawser::worker {
 
-/// Reads a lane of a pack whose last order was `equilibrium`. Grounded length and touchdown are
-/// where the underside of the line reaches the bed, straight between nodes.
+/// Reads a lane of a pack whose last order was `equilibrium`.
 template <class V>
 LineAtRest at_rest(const RodPack<V>& pack, int lane, const Case& input);
 

@@ -19,6 +19,7 @@
 #include "rod/catenary.hpp"
 #include "rod/element.hpp"
 #include "rod/elimination.hpp"
+#include "rod/small_motion.hpp"
 #include "rod/state.hpp"
 #include "rod/time_scheme.hpp"
 #include "spline.hpp"
@@ -144,7 +145,15 @@ class RodPack {
     /// Nodes of a lane from end B to end A with tangents and tensions: a guess for another pack.
     [[nodiscard]] std::vector<CatenaryNode> found_shape(int lane) const;
     /// Static stiffness about `reference`: -d(wrench)/d(position, rotation vector) [6 x 6], R:25.
+    /// After swing() the dynamic stiffness.
     [[nodiscard]] Mat6 stiffness(int lane, const Vec3& reference);
+
+    /// Linear undamped motion of angular frequency omega about the last static solution, R:44: what
+    /// stiffness() then gives is K(omega) - omega^2 M, exact for the mesh. Lines that a run
+    /// computes at rest have no inertia. The state stays.
+    void swing(double omega);
+    /// The matrices of that motion for one lane, ends held.
+    [[nodiscard]] SmallMotion small_motion(int lane);
 
     /// Constraint c of a lane (index into Line::constraints) in the working state: force [N] and
     /// moment about its point [N.m] on the rod - its support feels the opposite ones - and that
@@ -270,6 +279,9 @@ class RodPack {
     void interpolate_water(V t);
     void current_only(bool current);
     void scatter_water(Water<V>* to);
+
+    // modes.cpp
+    void prepare_tangent(double omega);
 
     // statics.cpp
     Status find_equilibrium(const PlatformMotion& pose, bool current);

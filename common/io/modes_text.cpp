@@ -1,0 +1,176 @@
+#include "io/modes_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io/json.hpp"
+#include "io/text_table.hpp"
+#include "motion_names.hpp"
+
+namespace hawser::io {
+namespace {
+
+const char* name_of(RodMode::Kind kind) {
+    static constexpr std::array names = {"axial", "in-plane", "out-of-plane"};
+    return names.at(static_cast<std::size_t>(kind));
+}
+
+std::string name_of(const CoupledMode& mode) {
+    return motion_names[static_cast<std::size_t>(mode.motion)];
+}
+
+std::string why_none(const CoupledMode& mode) {
+    return mode.omega_squared < 0.0 ? "unstable" : "not held";
+}
+
+/// The six parts with rotations in degrees per metre or per degree of the main motion.
+std::array<double, 6> parts(const CoupledMode& mode) {
+    std::array<double, 6> out{};
+    for (std::size_t i = 0; i < 6; ++i) {
+        const double size = mode.shape[static_cast<Eigen::Index>(i)];
+        const double degrees = 180.0 / M_PI;
+        const bool turns = mode.motion >= 3;
+        out[i] = i < 3 ? (turns ? size / degrees : size) : (turns ? size : size * degrees);
+    }
+    return out;
+}
+
+std::string coupled_text(const ModesReport& report) {
+    std::string out = title("Platform " + report.platform + " with its lines");
+    TextTable table;
+    table.column("mode");
+    table.column("period", "s");
+    table.column("share", "%");
+    for (std::size_t i = 0; i < 6; ++i) table.column(motion_names[i], i < 3 ? "m" : "deg");
+    table.column("stiffness", "% lines");
+    table.column("inertia", "% lines");
+    for (const CoupledMode& mode : *report.coupled) {
+        std::vector<std::string> cells{name_of(mode),
+                                       mode.period() ? number(*mode.period(), 2) : why_none(mode),
+                                       number(100.0 * mode.share, 1)};
+        for (const double part : parts(mode)) cells.push_back(number(part, 3));
+        cells.push_back(number(100.0 * mode.line_stiffness, 1));
+        cells.push_back(number(100.0 * mode.line_inertia, 2));
+        table.row(cells);
+    }
+    return out + table.text() +
+           "undamped, about the equilibrium. share: part of the platform's kinetic energy that is "
+           "in the motion the mode is\nnamed after; of that motion 1 m or 1 deg. lines: their part "
+           "of the stiffness and of the inertia\n";
+}
+
+std::string line_text(const Case& input, const LineModes& line) {
+    std::string out =
+        title("Line " + input.lines[static_cast<std::size_t>(line.line)].name + ", ends held");
+    TextTable table;
+    table.column("mode");
+    table.column("period", "s");
+    table.column("frequency", "Hz");
+    table.column("kind");
+    table.column("axial", "%");
+    table.column("in plane", "%");
+    table.column("out of", "%");
+    table.column("largest at", "m");
+    int n = 0;
+    for (const RodMode& mode : line.modes) {
+        const bool held = mode.omega_squared > 1e-10;
+        std::size_t widest = 0;
+        for (std::size_t i = 0; i < mode.shape.size(); ++i)
+            if (mode.shape[i].norm() > mode.shape[widest].norm() + 1e-9) widest = i;
+        table.row({std::to_string(++n), held ? number(mode.period(), 3) : "not held",
+                   held ? digits(1.0 / mode.period(), 4) : "-", name_of(mode.kind),
+                   number(100.0 * mode.axial, 1), number(100.0 * mode.in_plane, 1),
+                   number(100.0 * mode.out_of_plane, 1), number(line.arc_length.at(widest), 0)});
+    }
+    return out + table.text();
+}
+
+}  // namespace
+
+std::string modes_text(const Case& input, const ModesReport& report) {
+    std::string out =
+        fmt::format("{}: natural modes\n", input.title.empty() ? input.name : input.title);
+    if (report.coupled) out += coupled_text(report);
+    for (const LineModes& line : report.lines) out += line_text(input, line);
+    if (!report.lines.empty())
+        out +=
+            "\nundamped, about the static solution, with the added mass of still water and the "
+            "dynamic stiffness of ropes;\nplane: the vertical one through both ends\n";
+    return out;
+}
+
+std::string modes_json(const Case& input, const ModesReport& report) {
+    Json out = Json::object();
+    out.put("case", input.name).put("units", "SI");
+    if (report.coupled) {
+        Json modes = Json::array();
+        for (const CoupledMode& mode : *report.coupled) {
+            Json one = Json::object(), shape = Json::object();
+            one.put("name", name_of(mode));
+            if (mode.period()) one.put("period", *mode.period());
+            for (std::size_t i = 0; i < 6; ++i)
+                shape.put(motion_names[i], mode.shape[static_cast<Eigen::Index>(i)]);
+            one.put("shape", std::move(shape))
+                .put("share", mode.share)
+                .put("line_stiffness", mode.line_stiffness)
+                .put("line_inertia", mode.line_inertia)
+                .put("converged", mode.converged);
+            modes.add(std::move(one));
+        }
+        out.put("platform", report.platform).put("coupled", std::move(modes));
+    }
+    Json lines = Json::array();
+    const auto points = [](const std::vector<Vec3>& at) {
+        Json list = Json::array();
+        for (const Vec3& x : at) {
+            Json point = Json::array();
+            point.add(x.x()).add(x.y()).add(x.z());
+            list.add(std::move(point));
+        }
+        return list;
+    };
+    for (const LineModes& line : report.lines) {
+        Json modes = Json::array(), arc = Json::array();
+        for (const RodMode& mode : line.modes) {
+            Json one = Json::object();
+            if (mode.omega_squared > 0.0) one.put("period", mode.period());
+            one.put("kind", name_of(mode.kind))
+                .put("axial", mode.axial)
+                .put("in_plane", mode.in_plane)
+                .put("out_of_plane", mode.out_of_plane)
+                .put("shape", points(mode.shape));
+            modes.add(std::move(one));
+        }
+        for (const double s : line.arc_length) arc.add(s);
+        Json one = Json::object();
+        one.put("name", input.lines[static_cast<std::size_t>(line.line)].name)
+            .put("arc_length", std::move(arc))
+            .put("position", points(line.position))
+            .put("modes", std::move(modes));
+        lines.add(std::move(one));
+    }
+    out.put("lines", std::move(lines));
+    return out.text() + "\n";
+}
+
+std::string modes_csv(const Case& input, const ModesReport& report) {
+    std::string out = "of,mode,period [s],kind,axial,in_plane,out_of_plane\n";
+    if (report.coupled)
+        for (const CoupledMode& mode : *report.coupled)
+            out += fmt::format("{},{},{},coupled,,,\n", report.platform, name_of(mode),
+                               mode.period() ? fmt::format("{}", *mode.period()) : "");
+    for (const LineModes& line : report.lines) {
+        int n = 0;
+        for (const RodMode& mode : line.modes)
+            out += fmt::format("{},{},{},{},{},{},{}\n",
+                               input.lines[static_cast<std::size_t>(line.line)].name, ++n,
+                               mode.omega_squared > 0.0 ? fmt::format("{}", mode.period()) : "",
+                               name_of(mode.kind), mode.axial, mode.in_plane, mode.out_of_plane);
+    }
+    return out;
+}
+
+}  // namespace hawser::io

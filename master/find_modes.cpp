@@ -1,0 +1,54 @@
+// `hawser modes`: natural modes of every line and of the platform with its lines. One process.
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <memory>
+#include <optional>
+
+#include "equilibrium.hpp"
+#include "failure_message.hpp"
+#include "io/hydro_file.hpp"
+#include "modes_report.hpp"
+#include "static_start.hpp"
+
+namespace hawser {
+
+ModesReport find_modes(const Case& input, const ModesRequest& request) {
+    using namespace master;
+    ModesReport report;
+    const auto describe = [&](const Status& s, const PlatformMotion& pose) {
+        return failure_message(s, input, 0, pose);
+    };
+    const std::unique_ptr<RestingLines> lines = make_resting_lines(input);
+    if (!input.platform) {
+        lines_at(*lines, PlatformMotion{}, input.analysis.statics.current, describe);
+    } else {
+        std::optional<HydroData> hydro;
+        if (const auto& database = input.platform->hydrodynamics.database)
+            hydro = io::read_hydro(*database, input.environment.water);
+        Hull hull(input, hydro ? &*hydro : nullptr);
+        Case at_rest = input;
+        at_rest.platform->initial = PlatformMotion{};
+        const StaticStart start = static_start(at_rest, hull, *lines);
+        report.warnings = start.notes;
+        report.platform = input.platform->name;
+        report.coupled = start.modes;
+    }
+    std::vector<LineAtRest> rest = lines->at_rest();
+    const int count = request.count > 0 ? request.count : input.analysis.modes;
+    for (int i = 0; i < static_cast<int>(input.lines.size()); ++i) {
+        const std::string& name = input.lines[static_cast<std::size_t>(i)].name;
+        if (fnmatch(request.lines.c_str(), name.c_str(), 0) == 0)
+            report.lines.push_back(
+                {.line = i,
+                 .modes = lines->modes(i, count),
+                 .position = std::move(rest[static_cast<std::size_t>(i)].position),
+                 .arc_length = std::move(rest[static_cast<std::size_t>(i)].arc_length)});
+    }
+    if (report.lines.empty() && !input.lines.empty())
+        throw RunError(ExitCode::input, fmt::format("no line is called \"{}\"; the first is \"{}\"",
+                                                    request.lines, input.lines.front().name));
+    return report;
+}
+
+}  // namespace hawser

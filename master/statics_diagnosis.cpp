@@ -1,0 +1,140 @@
+#include "statics_diagnosis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace hawser::master {
+
+namespace {
+
+const LineType& type_of(const Section& section, const Case& input) {
+    return input.line_types[static_cast<std::size_t>(section.type)];
+}
+
+Vec3 place_of(const LineEnd& end, const PlatformMotion& pose) {
+    if (end.kind != EndKind::platform) return end.position;
+    return pose.position + rotation(pose.angles) * end.position;
+}
+
+double bed_height(const Seabed& bed, const Vec3& at) {
+    const double along =
+        at.x() * std::cos(bed.slope_direction) + at.y() * std::sin(bed.slope_direction);
+    return -bed.depth + std::tan(bed.slope_angle) * along;
+}
+
+/// Weight in water of the part below an arc length [N].
+double weight_below(const Line& line, const Case& input, double arc_length) {
+    const Water& water = input.environment.water;
+    double mass = 0.0, s = 0.0;
+    for (const Section& section : line.sections) {
+        const LineType& type = type_of(section, input);
+        const double length = std::clamp(s + section.length - arc_length, 0.0, section.length);
+        mass += length * (type.mass - water.density * type.displaced_area);
+        s += section.length;
+    }
+    for (const Attachment& a : line.attachments)
+        if (a.arc_length >= arc_length) mass += a.mass - water.density * a.volume;
+    return mass * water.gravity;
+}
+
+double static_stiffness(const LineType& type) {
+    return type.viscoelastic ? type.viscoelastic->EA_static : type.EA;
+}
+
+/// A stiffness that no equilibrium can be found with, beside the line's weight in air.
+std::optional<std::string> unreasonable_stiffness(const Line& line, const Case& input) {
+    double weight = 0.0;
+    for (const Section& section : line.sections)
+        weight += type_of(section, input).mass * input.environment.water.gravity * section.length;
+    for (const Section& section : line.sections) {
+        const LineType& type = type_of(section, input);
+        const double EA = static_stiffness(type);
+        if (EA < 2.0 * weight)
+            return fmt::format(
+                "EA = {:.3g} N of {}: the line's own weight of {:.3g} N would stretch it by half",
+                EA, type.name, weight);
+        if (EA > 1e10 * weight)  // the stretch is lost in the rounding of positions
+            return fmt::format("EA = {:.3g} N of {}, {:.0e} times the line's weight", EA, type.name,
+                               EA / weight);
+        const double straight = std::cbrt(type.EI * line.length() / weight);  // (EI/w)^(1/3)
+        if (straight > line.length())
+            return fmt::format(
+                "EI = {:.3g} N.m2 of {}: a beam so stiff stays straight over {:.3g} m", type.EI,
+                type.name, straight);
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> weak_tensioner(const Line& line, const Case& input) {
+    for (const LineConstraint& c : line.constraints) {
+        if (c.type != ConstraintType::tensioner) continue;
+        const double weight = weight_below(line, input, c.arc_length.value_or(0.0));
+        if (c.nominal_tension <= weight)
+            return fmt::format(
+                "{} pulls with {:.4g} kN at stroke 0, the riser below it weighs {:.4g} kN in "
+                "water: it would stand in compression at its foot",
+                c.name, c.nominal_tension / 1e3, weight / 1e3);
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> floating_part(const Line& line, const Case& input) {
+    const Water& water = input.environment.water;
+    const double total = weight_below(line, input, 0.0);
+    if (total <= 0.0) return fmt::format("it is lighter than water: {:.4g} kN in all", total / 1e3);
+    for (const Section& section : line.sections) {
+        const LineType& type = type_of(section, input);
+        const double w = (type.mass - water.density * type.displaced_area) * water.gravity;
+        if (w < 0.0)
+            return fmt::format("{} floats with {:.4g} N/m, a section of {:.4g} m", type.name, -w,
+                               section.length);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string static_failure_cause(const Line& line, const Case& input, const PlatformMotion& pose) {
+    const Vec3 a = place_of(line.end_a, pose), b = place_of(line.end_b, pose);
+    const double length = line.length();
+    if (auto cause = unreasonable_stiffness(line, input)) return *cause;
+    const bool ends_held = line.end_a.kind != EndKind::free && line.end_b.kind != EndKind::free;
+    for (const auto& [end, at, name] :
+         {std::tuple(&line.end_a, a, "A"), std::tuple(&line.end_b, b, "B")}) {
+        const double below = bed_height(input.environment.seabed, at) - at.z();
+        if (end->kind != EndKind::free && below > 0.5)
+            return fmt::format("end {} lies {:.4g} m below the seabed", name, below);
+    }
+    if (ends_held) {
+        const double chord = (a - b).norm();
+        if (chord > length) {
+            double compliance = 0.0;
+            for (const Section& s : line.sections)
+                compliance += s.length / static_stiffness(type_of(s, input));
+            const double tension = (chord - length) / compliance;
+            return fmt::format(
+                "anchor out of reach: the ends are {:.5g} m apart and the line is {:.5g} m long; "
+                "to stretch so far takes {:.3g} kN",
+                chord, length, tension / 1e3);
+        }
+    }
+    if (auto cause = weak_tensioner(line, input)) return *cause;
+    if (auto cause = floating_part(line, input)) return *cause;
+    if (ends_held) {
+        const Vec3 span = b - a;
+        const double slack = length - std::hypot(span.x(), span.y()) - std::abs(span.z());
+        if (slack > 0.0)
+            return fmt::format(
+                "so long that it lies slack: {:.5g} m of line for {:.5g} m across and {:.5g} m "
+                "down",
+                length, std::hypot(span.x(), span.y()), std::abs(span.z()));
+    }
+    return "none of reach, weight and stiffness shows it; look at guides and joints, or at "
+           "elements "
+           "too long for how the line bends";
+}
+
+}  // namespace hawser::master

@@ -1,0 +1,118 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "failure_message.hpp"
+#include "statics_diagnosis.hpp"
+
+namespace hawser::master {
+namespace {
+
+using testing::HasSubstr;
+
+/// A chain of 600 m from a platform at -20 m to an anchor 450 m away in 300 m of water.
+Case moored() {
+    Case c;
+    c.environment.seabed.depth = 300.0;
+    LineType chain;
+    chain.name = "chain";
+    chain.mass = 100.0;
+    chain.displaced_area = 0.0127;
+    chain.outer_diameter = 0.08;
+    chain.EA = 5e8;
+    c.line_types = {chain};
+    Line line;
+    line.name = "ml1";
+    line.end_a = {.kind = EndKind::platform, .position = {0, 0, -20}};
+    line.end_b = {.kind = EndKind::anchor, .position = {450, 0, -300}};
+    line.sections = {{.type = 0, .length = 600.0, .elements = 20}};
+    c.lines = {line};
+    return c;
+}
+
+std::string cause(const Case& c, const PlatformMotion& pose = {}) {
+    return static_failure_cause(c.lines[0], c, pose);
+}
+
+TEST(StaticFailure, SaysThatTheAnchorIsOutOfReach) {
+    Case c = moored();
+    c.lines[0].sections[0].length = 500.0;  // of a chord of 530 m
+    EXPECT_THAT(cause(c), HasSubstr("anchor out of reach: the ends are 530 m apart and the line is "
+                                    "500 m long; to stretch so far takes 3e+04 kN"));
+    // and so it is when the platform has gone too far
+    PlatformMotion away;
+    away.position.x() = -100.0;
+    EXPECT_THAT(cause(moored(), away), HasSubstr("anchor out of reach"));
+    EXPECT_THAT(cause(moored()), testing::Not(HasSubstr("reach: ")));
+}
+
+TEST(StaticFailure, SaysThatTheLineLiesSlack) {
+    Case c = moored();
+    c.lines[0].sections[0].length = 740.0;  // 450 across and 280 down are 730
+    EXPECT_THAT(cause(c), HasSubstr("lies slack"));
+}
+
+TEST(StaticFailure, SaysThatTheLineFloats) {
+    Case c = moored();
+    c.line_types[0].displaced_area = 0.2;
+    EXPECT_THAT(cause(c), HasSubstr("lighter than water"));
+    c = moored();
+    LineType buoyant = c.line_types[0];
+    buoyant.name = "modules";
+    buoyant.displaced_area = 0.15;
+    c.line_types.push_back(buoyant);
+    c.lines[0].sections = {{.type = 0, .length = 500.0}, {.type = 1, .length = 100.0}};
+    EXPECT_THAT(cause(c), HasSubstr("modules floats"));
+}
+
+TEST(StaticFailure, SaysThatATensionerIsWeakerThanTheRiserIsHeavy) {
+    Case c = moored();
+    Line& riser = c.lines[0];
+    riser.end_a = LineEnd{};
+    riser.end_b = {.kind = EndKind::fixed, .position = {0, 0, -300}};
+    riser.sections[0].length = 320.0;
+    LineConstraint tensioner;
+    tensioner.type = ConstraintType::tensioner;
+    tensioner.name = "ram";
+    tensioner.arc_length = 0.0;
+    tensioner.nominal_tension = 200e3;  // 320 m of 853 N/m are 273 kN
+    riser.constraints = {tensioner};
+    EXPECT_THAT(cause(c), HasSubstr("ram pulls with 200 kN at stroke 0, the riser below it weighs "
+                                    "273"));
+    riser.constraints[0].nominal_tension = 400e3;
+    EXPECT_THAT(cause(c), testing::Not(HasSubstr("ram")));
+}
+
+TEST(StaticFailure, SaysThatAStiffnessIsOutOfReason) {
+    Case c = moored();
+    c.line_types[0].EA = 1e5;
+    EXPECT_THAT(cause(c), HasSubstr("own weight"));
+    c.line_types[0].EA = 1e16;
+    EXPECT_THAT(cause(c), HasSubstr("EA = 1e+16 N of chain"));
+    c = moored();
+    c.line_types[0].EI = 1e12;
+    EXPECT_THAT(cause(c), HasSubstr("EI = 1e+12 N.m2 of chain"));
+}
+
+TEST(StaticFailure, SaysThatAnEndIsInTheGround) {
+    Case c = moored();
+    c.lines[0].end_b = {.kind = EndKind::fixed, .position = {450, 0, -310}};
+    EXPECT_THAT(cause(c), HasSubstr("end B lies 10 m below the seabed"));
+}
+
+TEST(StaticFailure, IsToldWithLineIterationsResidualAndPlace) {
+    Case c = moored();
+    c.lines[0].sections[0].length = 500.0;
+    const Status status = {.code = Status::Code::no_equilibrium,
+                           .line = 0,
+                           .arc_length = 120.0,
+                           .residual = 3.5,
+                           .iterations = 100};
+    const std::string text = failure_message(status, c, 0);
+    EXPECT_TRUE(
+        text.starts_with("ml1: no static solution after 100 iterations, largest position "
+                         "correction 3.5 m at s = 120 m; likely cause: anchor out of reach"))
+        << text;
+}
+
+}  // namespace
+}  // namespace hawser::master

@@ -12,12 +12,17 @@ double adjusted_quantity(const Line& line) {
     return line.sections.at(static_cast<std::size_t>(line.target.section)).length;
 }
 
-void adjust(Line& line, const Environment& /*environment*/, double value) {
+void adjust(Line& line, const Environment& environment, double value) {
     const double change = value - adjusted_quantity(line);
     if (line.target.adjust == StaticTarget::Adjust::anchor_radius) {
         Vec3& b = line.end_b.position;
         const double before = std::hypot(b.x(), b.y());
         b.x() *= value / before, b.y() *= value / before;
+        const Seabed& bed = environment.seabed;
+        if (line.end_b.kind == EndKind::anchor)
+            b.z() =
+                -bed.depth + std::tan(bed.slope_angle) * (b.x() * std::cos(bed.slope_direction) +
+                                                          b.y() * std::sin(bed.slope_direction));
         return;
     }
     double end = 0.0;

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "rod_cases.hpp"
+#include "guided_riser.hpp"
 #include "static_targets.hpp"
 #include "status.hpp"
 
@@ -15,40 +15,8 @@ namespace {
 using namespace testing;
 using Adjust = StaticTarget::Adjust;
 
-/// The truss spar's top-tensioned riser, uniform: clamped foot, gas tensioner at z = 22 m, guides.
 Case riser(double length, double gas_exponent = 1.1) {
-    LineType pipe = plain_type(337.0, 6.2e9, 1.13e8);
-    pipe.displaced_area = M_PI / 4 * 0.406 * 0.406;
-    pipe.outer_diameter = pipe.drag_diameter = 0.406;
-    pipe.drag_normal = 1.2;
-    pipe.added_mass_normal = 1.0;
-    LineEnd foot = fixed_at({4.5, 4.5, -1500}, Joint::clamped);
-    foot.direction = Vec3(0, 0, -1);
-    Case input = one_line(pipe, length, 40, LineEnd{}, foot, 1500);
-    input.lines[0].sections = {{.type = 0, .length = 200, .elements = 20},
-                               {.type = 0, .length = length - 212, .elements = 30},
-                               {.type = 0, .length = 12, .elements = 6}};
-    LineConstraint tensioner{.type = ConstraintType::tensioner,
-                             .name = "tensioner",
-                             .position = {4.5, 4.5, 22},
-                             .arc_length = 0.0,
-                             .damping = 2e4,
-                             .nominal_tension = 5.338e6,
-                             .exponent = gas_exponent,
-                             .gas_column = 40,
-                             .stroke_min = -4.5,
-                             .stroke_max = 4.5};
-    if (gas_exponent == 0.0) tensioner.stiffness = 147e3;
-    input.lines[0].constraints = {tensioner};
-    for (const double z : {-95.0, -115.0, -135.0, -165.0, -173.0})
-        input.lines[0].constraints.push_back({.type = ConstraintType::guide,
-                                              .name = "guide",
-                                              .position = {4.5, 4.5, z},
-                                              .arc_length = {},
-                                              .stiffness = 2e7,
-                                              .damping = 2e5,
-                                              .gap = 0.025,
-                                              .friction = 0.1});
+    Case input = guided_riser(length, gas_exponent);
     input.lines[0].target = {.adjust = Adjust::section_length, .section = 1};
     return input;
 }
@@ -134,6 +102,16 @@ TEST(StaticTargets, SectionLengthGivesTheHangOffAngle) {
     ASSERT_TRUE(rod.equilibrium({}, false).ok());
     const Vec3 u = rod.direction_a(0);
     EXPECT_NEAR(std::atan2(std::hypot(u.x(), u.y()), -u.z()), angle, 1e-6);
+}
+
+TEST(StaticTargets, AnAnchorStaysOnTheSlopeOfTheBed) {
+    Case input = chain(400);
+    input.environment.seabed.slope_angle = 0.1;  // rises with x
+    input.lines[0].target = {.adjust = Adjust::anchor_radius, .pretension = 7e5};
+    adjust(input.lines[0], input.environment, 410.0);
+    const Vec3& b = input.lines[0].end_b.position;
+    EXPECT_NEAR(b.x(), 410 * std::cos(0.7), 1e-9);
+    EXPECT_NEAR(b.z(), -200 + std::tan(0.1) * b.x(), 1e-9);
 }
 
 TEST(StaticTargets, WhatHangsBeyondTheSectionMovesWithItsEnd) {

@@ -4,23 +4,27 @@
 #include <algorithm>
 #include <array>
 
+#include "rod/lane_access.hpp"
 #include "rod/rod_pack.hpp"
 
 namespace hawser::worker {
 
 namespace {
 constexpr double longest_correction = 50.0;  // [m]
+constexpr int whole_corrections = 10;        // then halves: contacts that come and go
 }  // namespace
 
 template <class V>
 void RodPack<V>::start_still(Mask from_prediction, V ahead) {
-    // The kept shape, moved on at the rate of its last pass; the others where they stopped.
+    // The kept shape, moved on at the rate of its last pass if no hull leads it; the others where
+    // they stopped.
     const NodeState<V>* node = kept_.nodes();
     const Multiplier<V>* lambda = kept_.lambda();
     const V stretch = ahead / kept_.head().h;
+    const V moves = constraints_.empty() ? ahead : V(0.0);
     for (std::size_t n = 0; n < trial_.size(); ++n) {
         const TrialNode<V>& good = reached_[n];
-        const Vector<V> r = node[n].r + ahead * node[n].v, d = node[n].d + ahead * node[n].vd;
+        const Vector<V> r = node[n].r + moves * node[n].v, d = node[n].d + moves * node[n].vd;
         trial_[n] = {.r = select(from_prediction, r, good.r),
                      .d = select(from_prediction, d, good.d),
                      .v = {},
@@ -32,6 +36,36 @@ void RodPack<V>::start_still(Mask from_prediction, V ahead) {
         lambda_[i] =
             select(from_prediction, lambda[i].now + stretch * (lambda[i].now - lambda[i].before),
                    reached_lambda_[i]);
+}
+
+template <class V>
+void RodPack<V>::carry_with_hull(int lane, const PlatformMotion& from, const PlatformMotion& to) {
+    // A rod in guides goes where the hull goes: as far down as the hull holds it, and in proportion
+    // to the height from there to end B. Along itself it stays, there it slides. From anywhere else
+    // Newton's iteration would have to find the guides that touch it anew.
+    using T = LaneTraits<V>;
+    const auto& arc = arc_length_[static_cast<std::size_t>(lane)];  // from end B
+    double lowest = arc.back();
+    bool held = false;
+    for (std::size_t c = 0; c < constraints_.size(); ++c) {
+        if (!constraints_[c].at[static_cast<std::size_t>(lane)].on_platform) continue;
+        const auto e = static_cast<std::size_t>(T::get(kept_.constraints()[c].element, lane));
+        lowest = std::min(lowest, arc[e]);
+        held = true;
+    }
+    if (!held || lowest <= 0.0) return;
+    const Mat3 turn = rotation(to.angles) * rotation(from.angles).transpose();
+    for (std::size_t n = 0; n < trial_.size(); ++n) {
+        const Vec3 r = lane_vector(trial_[n].r, lane), d = lane_vector(trial_[n].d, lane);
+        const Vec3 along = d.normalized();
+        Vec3 moved = to.position + turn * (r - from.position) - r;
+        moved -= moved.dot(along) * along;
+        const double part = std::min(1.0, arc[n] / lowest);
+        set_lane_vector(trial_[n].r, lane, r + part * moved);
+        Vec3 slope = d + part * (turn * d - d);
+        if (arc[n] < lowest) slope += moved / lowest;
+        set_lane_vector(trial_[n].d, lane, slope);
+    }
 }
 
 template <class V>
@@ -62,7 +96,8 @@ auto RodPack<V>::still_attempt(Mask wanted, double t0, double t1, V t, const Mot
             evaluate_constraints(V(0.0));
         }
         solve(V(0.0), V(0.0));
-        update_trial(iterating, V(0.0), V(0.0), V(1.0), V(longest_correction), correction, finite);
+        const V part(i < whole_corrections ? 1.0 : 0.5);
+        update_trial(iterating, V(0.0), V(0.0), part, V(longest_correction), correction, finite);
         head.force_a = select(iterating, reaction_a_, head.force_a);
         head.force_b = select(iterating, reaction_b_, head.force_b);
         head.moment_a = select(iterating, moment_a_, head.moment_a);
@@ -113,7 +148,14 @@ Status RodPack<V>::still_pass(double t0, double t1, const MotionSpline& platform
             T::set(t, i, q < 1.0 ? t0 + q * H : t1);
         }
         start_still(fresh, V(H));
-        const Mask good = still_attempt(active, t0, t1, t, platform);
+        for (int i = 0; i < static_cast<int>(lines_.size()) && !constraints_.empty(); ++i)
+            if (T::get(active, i))
+                carry_with_hull(
+                    i, platform.at(t0 + walk[static_cast<std::size_t>(i)].reached * H).motion,
+                    platform.at(T::get(t, i)).motion);
+        const Mask found = still_attempt(active, t0, t1, t, platform);
+        const Mask untrue = found & false_equilibria();
+        const Mask good = found & !untrue;
         for (std::size_t n = 0; n < trial_.size(); ++n) {
             reached_[n].r = select(good, trial_[n].r, reached_[n].r);
             reached_[n].d = select(good, trial_[n].d, reached_[n].d);
@@ -138,7 +180,10 @@ Status RodPack<V>::still_pass(double t0, double t1, const MotionSpline& platform
                 Mask bad = T::none();
                 T::set(bad, i, true);
                 if (failed.ok() || lines_[static_cast<std::size_t>(i)] < failed.line)
-                    failed = status_of(bad, Status::Code::no_equilibrium, T::get(t, i));
+                    failed = status_of(bad,
+                                       T::get(untrue, i) ? Status::Code::false_equilibrium
+                                                         : Status::Code::no_equilibrium,
+                                       T::get(t, i));
                 T::set(active, i, false);
             }
         }
@@ -155,11 +200,6 @@ Status RodPack<V>::still_pass(double t0, double t1, const MotionSpline& platform
     for (std::size_t n = 0; n < trial_.size(); ++n) {  // the rate at which the shape changes
         after[n].v = select(solved, per_time * (after[n].r - before[n].r), after[n].v);
         after[n].vd = select(solved, per_time * (after[n].d - before[n].d), after[n].vd);
-    }
-    const Mask wrong = false_equilibria(working_) & solved;
-    if (any(wrong)) {
-        const Status untrue = status_of(wrong, Status::Code::false_equilibrium, t1);
-        if (failed.ok() || untrue.line < failed.line) failed = untrue;
     }
     const Vec3 reference = platform.at(t1).motion.position;
     for (int i = 0; i < static_cast<int>(lines_.size()); ++i)

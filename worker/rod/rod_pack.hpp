@@ -223,6 +223,7 @@ class RodPack {
     Status still_pass(double t0, double t1, const MotionSpline& platform);
     Mask still_attempt(Mask wanted, double t0, double t1, V t, const MotionSpline& platform);
     void start_still(Mask from_prediction, V ahead);
+    void carry_with_hull(int lane, const PlatformMotion& from, const PlatformMotion& to);
     void current_at(double t);
 
     // catenary_lines.cpp
@@ -291,7 +292,8 @@ class RodPack {
     Mask guess_under_tension(int lane, const LineConstraint& tensioner, const PlatformMotion& pose,
                              const Vec3& foot, const std::vector<CatenaryElement>& elements);
     Mask static_newton(const PlatformMotion& pose, bool current, Mask wanted, double part = 1.0);
-    Mask false_equilibria(const RodState<V>& state) const;
+    /// Lanes whose trial values are an equilibrium that nobody wants.
+    Mask false_equilibria() const;
     Status status_of(Mask bad, Status::Code code, double t) const;
     void finish_statics(Mask good);
 

@@ -180,14 +180,13 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wa
 }
 
 template <class V>
-auto RodPack<V>::false_equilibria(const RodState<V>& state) const -> Mask {
+auto RodPack<V>::false_equilibria() const -> Mask {
     // Newton finds any equilibrium. Accept it only if the rod is in tension, does not fold inside
     // an element, and is neither stretched nor squeezed beyond reason.
     Mask bad = LaneTraits<V>::none();
-    const NodeState<V>* node = state.nodes();
-    const Multiplier<V>* lambda = state.lambda();
+    const std::vector<TrialNode<V>>& node = trial_;
     V strongest(0.0);
-    for (std::size_t i = 0; i < lambda_.size(); ++i) strongest = max(strongest, abs(lambda[i].now));
+    for (std::size_t i = 0; i < lambda_.size(); ++i) strongest = max(strongest, abs(lambda_[i]));
     for (std::size_t n = 0; n < trial_.size(); ++n) {
         const V d2 = dot(node[n].d, node[n].d);
         bad = bad | (d2 < V(0.9 * 0.9)) | (d2 > V(1.2 * 1.2));
@@ -199,7 +198,7 @@ auto RodPack<V>::false_equilibria(const RodState<V>& state) const -> Mask {
         const V bending =
             properties_[e].B * dot(turn, turn) / (properties_[e].L * properties_[e].L);
         for (std::size_t i = 2 * e; i < 2 * e + 3; ++i)
-            bad = bad | (lambda[i].now < V(-0.01) * strongest - V(3.0) * bending);
+            bad = bad | (lambda_[i] < V(-0.01) * strongest - V(3.0) * bending);
     }
     return bad & used_;
 }
@@ -264,8 +263,8 @@ Status RodPack<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
             select(axis_is_static_a_, tangent(kept_.nodes()[trial_.size() - 1].d), head.axis_a);
         head.axis_b = select(axis_is_static_b_, tangent(kept_.nodes()[0].d), head.axis_b);
         take_joint_axes(kept_);
-        if (any(false_equilibria(kept_)))
-            return status_of(false_equilibria(kept_), Status::Code::false_equilibrium, 0.0);
+        if (any(false_equilibria()))
+            return status_of(false_equilibria(), Status::Code::false_equilibrium, 0.0);
         pose_ = design;
         started_ = true;
     }
@@ -294,8 +293,8 @@ Status RodPack<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
         if (any(everything_of(solved)))
             return status_of(everything_of(solved), Status::Code::no_equilibrium, 0.0);
     }
-    if (any(false_equilibria(kept_)))
-        return status_of(false_equilibria(kept_), Status::Code::false_equilibrium, 0.0);
+    if (any(false_equilibria()))
+        return status_of(false_equilibria(), Status::Code::false_equilibrium, 0.0);
     pose_ = pose;
     finish_statics(used_);
     for (int i = 0; i < static_cast<int>(lines_.size()); ++i)

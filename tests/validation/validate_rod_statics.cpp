@@ -34,6 +34,14 @@ TEST(ValidationA1, ElasticCatenaryOfTheCatenarySolver) {  // MoorPy test_catenar
     validate({"A1", "catenary solver: H [N]", 96643.428, lying.horizontal, 1e-4});
     validate({"A1", "catenary solver: V at the top [N]", 237751.755, lying.vertical_a, 1e-4});
     validate({"A1", "catenary solver: length on the bed [m]", 202.8103, lying.grounded, 1e-4});
+    const Catenary rubbing = solve_catenary(line(800), {400, 0, -200}, {0, 0, 0}, true, 0.1);
+    validate({"A1b", "catenary solver, friction 0.1: tension at the anchor [N]", 80418.60,
+              rubbing.nodes.front().tension, 1e-4});
+    validate({"A1b", "catenary solver, friction 0.1: H at the top [N]", 96643.428,
+              rubbing.horizontal, 1e-4});
+    const Catenary held = solve_catenary(line(800), {400, 0, -200}, {0, 0, 0}, true, 5.0);
+    validate({"A1b", "catenary solver, friction 5: tension at the anchor [N]", 0.0,
+              held.nodes.front().tension, 1e-9, false});
     const Catenary clear = solve_catenary(line(200), {400, 0, -200}, {0, 0, 0}, false);
     validate({"A1c", "catenary solver: H [N]", 43694.58, clear.horizontal, 1e-4});
     validate({"A1c", "catenary solver: V at the top [N]", 77634.40, clear.vertical_a, 1e-4});

@@ -31,6 +31,24 @@ TEST(Catenary, AgreesWithThePublishedLineClearOfTheBed) {  // validation row A1c
     EXPECT_NEAR(c.vertical_a, 77634.40, 77634.40 * 1e-4);
 }
 
+TEST(Catenary, FrictionOfTheBedStretchesTheLineLess) {
+    // x = L_B + (H/w) asinh(V/H) + H L/EA + C w/(2 EA) [-L_B^2 + (L_B - H/(C w)) max(L_B - H/(C w),
+    // 0)]
+    const double w = 800, L = 500, EA = 2e7;
+    for (const double C : {0.2, 3.0}) {
+        std::vector<CatenaryElement> elements(
+            40, {.length = 12.5, .EA = EA, .weight_wet = w, .weight_dry = w});
+        const Catenary c = solve_catenary(elements, {400, 0, -200}, {0, 0, 0}, true, C);
+        ASSERT_TRUE(c.found);
+        const double H = c.horizontal, V = c.vertical_a, LB = L - V / w, free = LB - H / (C * w);
+        EXPECT_NEAR(LB, c.grounded, 1e-6 * L);
+        const double x = LB + H / w * std::asinh(V / H) + H * L / EA +
+                         C * w / (2 * EA) * (-LB * LB + free * std::max(free, 0.0));
+        EXPECT_NEAR(x, 400, 1e-8 * 400) << C;
+        EXPECT_NEAR(c.nodes.front().tension, std::max(H - C * w * LB, 0.0), 1e-6 * H) << C;
+    }
+}
+
 TEST(RodStatics, SettlesOnTheAnchorLineOfThePublishedCatenary) {  // validation row A1, bar 0.1 %
                                                                   // with 40 elements
     LineType type = plain_type(800 / 9.80665, 7.51e12);

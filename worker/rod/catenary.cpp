@@ -48,10 +48,11 @@ struct March {
     const std::vector<CatenaryElement>& elements;
     double z_b;
     bool on_bed;
+    double friction = 0.0;
 
     template <class T>
     struct Point {
-        T x, z, V;
+        T x, z, V, H;  ///< H, the horizontal tension, is less along the bed than above it
     };
     using End = Point<double>;
 
@@ -62,14 +63,15 @@ struct March {
     Point<T> run(T H, T u, Visit visit) const {
         const bool lies = on_bed && plain(u) < 0.0;
         T grounded = lies ? T(0.0) - u : T(0.0);
-        Point<T> p{T(0.0), T(z_b), lies ? T(0.0) : u};
+        T ahead = friction_of(grounded);  // between here and touchdown
+        Point<T> p{T(0.0), T(z_b), lies ? T(0.0) : u, left_of(H, ahead)};
         visit(p);
         for (const CatenaryElement& e : elements) {
             const T lying = plain(grounded) < e.length ? grounded : T(e.length);
             grounded = grounded - lying;
-            p.x += lying * (T(1.0) + H / T(e.EA));
+            lie(e, H, lying, ahead, p);
             const T L = T(e.length) - lying;
-            if (plain(L) > 0.0) advance(e, H, L, p);
+            if (plain(L) > 0.0) advance(e, H, L, p), p.H = H;
             const T carried = carried_by_bed(e, grounded);
             grounded = grounded - carried;
             p.V += T(e.point_weight) - carried * T(e.weight_wet);
@@ -98,6 +100,40 @@ struct March {
         if (!(plain(grounded) > 0.0 && e.point_weight > 0.0 && e.weight_wet > 0.0)) return T(0.0);
         const double all = e.point_weight / e.weight_wet;
         return plain(grounded) < all ? grounded : T(all);
+    }
+
+    /// Friction of the bed on the first `grounded` metres from B [N]; clumps rub no more than the
+    /// line does.
+    template <class T>
+    T friction_of(T grounded) const {
+        T sum(0.0);
+        if (friction == 0.0) return sum;
+        for (const CatenaryElement& e : elements) {
+            const T lying = plain(grounded) < e.length ? grounded : T(e.length);
+            grounded = grounded - lying;
+            sum += T(friction * e.weight_wet) * lying;
+            grounded = grounded - carried_by_bed(e, grounded);
+        }
+        return sum;
+    }
+    template <class T>
+    static T left_of(const T& H, const T& rubbed) {
+        return plain(rubbed) < plain(H) ? H - rubbed : T(0.0);
+    }
+
+    /// A piece that lies on the bed, towards touchdown: its tension grows by the friction on it,
+    /// from max(H - ahead, 0), and stretches what is under tension.
+    template <class T>
+    void lie(const CatenaryElement& e, const T& H, const T& L, T& ahead, Point<T>& p) const {
+        const double f = friction * e.weight_wet;
+        if (!(f > 0.0)) {
+            p.x += L * (T(1.0) + H / T(e.EA));
+            return;
+        }
+        const T T1 = p.H;
+        ahead = ahead - T(f) * L;
+        p.H = left_of(H, ahead);
+        p.x += L + (p.H - T1) * (p.H + T1) / T(2.0 * f * e.EA);
     }
 
     /// One elastic catenary piece (Irvine): dx = (H/w)(asinh(V2/H) - asinh(V1/H)) + H L/EA, and so
@@ -143,10 +179,10 @@ Catenary shape_of(const March& march, const Plane& plane, const Vec3& b, double 
     const March::End end = march.run(H, u, [&](const March::End& p) {
         // a node's tangent and tension are those just below what hangs on it
         const double V = n == 0 ? result.vertical_b : p.V - march.elements[n - 1].point_weight;
-        const double T = std::hypot(H, V);
+        const double T = std::hypot(H, V);  // but for friction
         result.nodes.push_back({.position = b + p.x * plane.towards + Vec3(0, 0, p.z - b.z()),
                                 .tangent = H / T * plane.towards + V / T * Vec3::UnitZ(),
-                                .tension = T});
+                                .tension = std::hypot(p.H, V)});
         ++n;
     });
     result.vertical_a = end.V - march.elements.back().point_weight;
@@ -180,14 +216,14 @@ double bisect(double lo, double hi, F f) {
 }  // namespace
 
 Catenary solve_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
-                        bool on_bed) {
+                        bool on_bed, double friction) {
     const Plane plane(elements, b, a);
     double weight = 0.0;
     for (const CatenaryElement& e : elements)
         weight += std::abs(e.weight_wet) * e.length + std::abs(e.point_weight);
     const double scale = weight + 1.0, length = plane.length;
     const double span = std::max(plane.span, plane.tiny_span);
-    const March march{elements, b.z(), on_bed};
+    const March march{elements, b.z(), on_bed, friction};
     const auto nothing = [](const March::End&) {};
 
     // Height of end A grows with u: bracket, then bisect.

@@ -1,5 +1,5 @@
 // Elastic catenary of a line with sections, joints and a flat sea bed: the guess of the rods'
-// statics, and a closed form to test them against. No bending, no current, no friction.
+// statics, and a closed form to test them against. No bending, no current.
 #pragma once
 
 #include <vector>
@@ -39,8 +39,10 @@ struct Catenary {
 /// the bed and part of the line may lie there. Unknowns are the horizontal tension H and the
 /// vertical tension at B (or the grounded length); both are found by nested bisection on monotonic
 /// functions.
+/// @param friction  of the bed along the line: the tension falls from touchdown towards B by
+/// friction times the weight that lies, down to zero [-]
 Catenary solve_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
-                        bool on_bed);
+                        bool on_bed, double friction = 0.0);
 
 /// The same by Newton's iteration from the horizontal and vertical tension at end A of a
 /// neighbouring solution, to 1e-10 of the length; with the stiffness, in closed form. Where the

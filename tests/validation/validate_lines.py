@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Validation rows A1, A1c, A2, A15 to A18, A22: lines as a user's case files describe them.
+"""Validation rows A1, A1c, A2, A8, A9, A11, A12, A15 to A18, A22, A22a: lines as a user's case files describe them.
 
 Usage: validate_lines.py HAWSER FOLDER-OF-CASES
 
@@ -8,6 +8,7 @@ tolerance. Series that other programs made are read from the folder named by HAW
 """
 
 import csv
+import json
 import math
 import os
 import subprocess
@@ -263,8 +264,63 @@ def reference_line_by_lumped_masses(rod):
             extremes("A18", "lumped masses, straight from sample to sample, against MoorDyn", T, 2274.8, 3574.0, 3e-2)
 
 
+def modes(case, kind, count, **changes):
+    """Natural modes of the line of a case that move mostly in that way: axial, in-plane or across."""
+    command = [HAWSER, "modes", str(CASES / f"{case}.yml"), "--json", "--count", str(count)]
+    for key, value in changes.items():
+        command += ["--set", key.replace("__", ".") + "=" + value]
+    found = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+    if kind == "across":  # a straight line has each of them twice
+        return [mode for mode in found["lines"][0]["modes"] if mode["kind"] != "axial"][::2]
+    return [mode for mode in found["lines"][0]["modes"] if mode["kind"] == kind]
+
+
+def natural_periods():
+    """A8, A9, A11, A12: closed forms."""
+    for n, (mode, T) in enumerate(zip(modes("a8", "across", 8), (16.6865, 7.2695, 4.6371, 3.4031)), 1):
+        row("A8", f"hanging chain: period {n} [s]", T, mode["period"], 5e-3)
+    T, EI, m, L = 2e6, 46.5e6, 200 * 1500 / 1500.75, 1500.75
+    for n, mode in enumerate(modes("a9", "across", 6), 1):
+        f = n / (2 * L) * math.sqrt((T + (n * math.pi / L) ** 2 * EI) / m)
+        row("A9", f"beam in tension: frequency {n} [Hz]", f, 1 / mode["period"], 3e-3)
+    for l2, W in ((1, 1.04020), (10, 1.34512), (4 * math.pi**2, 2.0), (100, 2.59718)):
+        # m g L/H = 0.05: sag of 1/160; EA from l2; length so that H is right, by the elastic catenary
+        m, L, g, r = 100.0, 100.0, 9.80665, 0.05
+        w, H = m * g, m * g * L / r
+        EA = l2 * H * (1 + r * r / 8) / (r * r)
+        low, high = 0.5 * L, 1.5 * L
+        for _ in range(100):
+            length = (low + high) / 2
+            if 2 * H / w * math.asinh(w * length / (2 * H)) + H * length / EA < L:
+                low = length
+            else:
+                high = length
+        found = modes("a9", "in-plane", 12, environment__water__gravity="9.80665 m/s2", parameters__span=f"{L} m",
+                      parameters__length=f"{length!r} m", line_types__line__mass=f"{m} kg/m",
+                      line_types__line__EI="0", line_types__line__EA=f"{EA!r} N")
+        # the lowest that is symmetric and has a middle that moves up and down
+        symmetric = next(mode for mode in found if abs(middle(mode)) > 0.2 * largest(mode))
+        row("A11", f"shallow cable, l2 {l2:.4g}: lowest symmetric frequency, w L sqrt(m/H)/pi", W,
+            2 * L / symmetric["period"] * math.sqrt(m / H), 1e-2)
+    row("A12", "tendon, fixed and fixed: axial period [s]", 1.1684, modes("a12", "axial", 60)[0]["period"], 5e-3)
+    free = modes("a12", "axial", 150, lines__tendon__end_b="{free: true}")
+    row("A12", "tendon, fixed and free: axial period [s]", 2.3369, free[0]["period"], 5e-3)
+
+
+def heights(mode):
+    return [abs(u[2]) for u in mode["shape"]]
+
+
+def middle(mode):
+    return heights(mode)[len(mode["shape"]) // 2]
+
+
+def largest(mode):
+    return max(heights(mode))
+
+
 def main():
-    for rows in (anchor_line, reference_line, towed_cable, chain, chain_by_lumped_masses, jumper, moved_lines, riser):
+    for rows in (anchor_line, reference_line, towed_cable, chain, chain_by_lumped_masses, jumper, moved_lines, riser, natural_periods):
         if len(sys.argv) < 4 or rows.__name__ in sys.argv[3:]:
             rows()
     return 0 if good else 1

@@ -109,7 +109,7 @@ class Build {
         line_constraints(keys, declared_, line, problems_);
         line_target(keys, line, problems_);
         line_failure(keys, declared_, line, problems_);
-        if (keys.end_a.free == true) free_end_a(keys, path, line);
+        if (keys.end_a.free == true) free_end_a(keys, path);
         for (std::size_t i = 0; i < keys.attachments.size(); ++i) {
             attachment(keys.attachments[i], fmt::format("{}.attachments[{}]", path, i), line);
         }
@@ -117,14 +117,14 @@ class Build {
     }
 
     /// A free end A is held by what stands among the constraints.
-    void free_end_a(const LineKeys& keys, const std::string& path, const Line& line) {
-        using Type = ConstraintType;
+    void free_end_a(const LineKeys& keys, const std::string& path) {
+        using Kind = ConstraintKind;
         if (keys.end_b.free == true) return error(path, "both ends are free: one must be held");
-        const auto holds = [](const LineConstraint& c) {
-            return c.type == Type::tensioner || c.type == Type::ball_joint ||
-                   c.type == Type::flex_joint || c.type == Type::clamp;
+        const auto holds = [](const ConstraintKeys& c) {
+            return !c.type || c.type == Kind::tensioner || c.type == Kind::ball_joint ||
+                   c.type == Kind::flex_joint || c.type == Kind::clamp;
         };
-        if (std::none_of(line.constraints.begin(), line.constraints.end(), holds)) {
+        if (std::none_of(keys.constraints.begin(), keys.constraints.end(), holds)) {
             error(path + ".end_a.free",
                   "a free end A needs something that holds the line up: a tensioner among its "
                   "constraints");

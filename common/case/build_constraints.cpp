@@ -23,14 +23,16 @@ class BuildConstraint {
           problems_(problems) {}
 
     void run() {
+        if (!keys_.type) return;  // reported already
         if (keys_.type == ConstraintKind::winch) return winch();
         LineConstraint c = common();
         law(c);
         const std::vector<Vec3> places = this->places();
         if (keys_.names && keys_.names->find("{n}") == std::string::npos && places.size() > 1) {
-            error(".names", "several places need \"{n}\" in their names, e.g. \"plate{n}\"");
-        } else if (!keys_.names && places.size() > 1) {
-            error("", "several heights need \"names\", e.g. names: \"plate{n}\"");
+            return error(".names", "several places need \"{n}\" in their names, e.g. \"plate{n}\"");
+        }
+        if (!keys_.names && places.size() > 1) {
+            return error("", "several heights need \"names\", e.g. names: \"plate{n}\"");
         }
         for (std::size_t n = 0; n < places.size(); ++n) {
             c.position = places[n];
@@ -96,7 +98,7 @@ class BuildConstraint {
     /// What every constraint has, and where it belongs.
     LineConstraint common() {
         LineConstraint c;
-        c.type = type(keys_.type);
+        c.type = type(*keys_.type);
         c.arc_length = keys_.arc;
         c.stiffness = keys_.stiffness.value_or(0.0);
         c.damping = keys_.damping;
@@ -172,7 +174,7 @@ class BuildConstraint {
     void law(LineConstraint& c) {
         using Kind = ConstraintKind;
         c.path = keys_.path;
-        switch (keys_.type) {
+        switch (*keys_.type) {
             case Kind::guide:
             case Kind::pull_tube:
                 if (!keys_.stiffness) {

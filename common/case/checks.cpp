@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "case/declared.hpp"
+#include "case/line_checks.hpp"
 
 namespace hawser {
 namespace {
@@ -15,13 +16,16 @@ constexpr double pi = std::numbers::pi;
 
 class Checks {
  public:
-    Checks(const Case& c, Problems& problems) : case_(c), problems_(problems) {}
+    Checks(const Case& c, const DeclaredCase& declared, Problems& problems)
+        : case_(c), declared_(declared), problems_(problems) {}
 
     void run() {
         waves();
         if (case_.platform) platform(*case_.platform);
         for (const LineType& type : case_.line_types) line_type(type);
-        for (const Line& line : case_.lines) this->line(line);
+        for (std::size_t i = 0; i < case_.lines.size(); ++i) {
+            check_line(case_.lines[i], declared_.lines[i], case_, problems_);
+        }
         times();
         output();
     }
@@ -187,87 +191,20 @@ class Checks {
         return type.viscoelastic ? type.viscoelastic->EA_static : type.EA;
     }
 
-    void line(const Line& line) {
-        const std::string path = "lines." + line.family;
-        double stretch = 0.0, travel = 0.0;
-        for (const Section& s : line.sections) {
-            if (s.type < 0) return;  // reported already
-            const LineType& type = case_.line_types[static_cast<std::size_t>(s.type)];
-            const bool rope = type.category == "rope" || type.category == "general";
-            stretch += s.length * (rope ? 0.03 : 0.003);
-            travel += s.length * std::sqrt(type.mass / type.EA);
-        }
-        model(line, path);
-        const double length = line.length(), depth = case_.environment.seabed.depth;
-        const bool held = line.end_a.kind != EndKind::free && line.end_b.kind != EndKind::free;
-        const double distance = (line.end_b.position - line.end_a.position).norm();
-        if (held && distance > length + stretch) {
-            error(path, fmt::format("{} is {:.6g} m long, but its ends are {:.6g} m apart",
-                                    line.name, length, distance));
-        }
-        const double fold = std::hypot(line.end_b.position.x() - line.end_a.position.x(),
-                                       line.end_b.position.y() - line.end_a.position.y()) +
-                            std::abs(line.end_b.position.z() - line.end_a.position.z());
-        if (held && line.end_b.kind == EndKind::anchor && length > fold) {
-            warning(path, fmt::format("{} is {:.6g} m long, more than straight down and along the "
-                                      "seabed ({:.6g} m)",
-                                      line.name, length, fold));
-        }
-        for (const auto& [end, name] :
-             {std::pair{&line.end_a, ".end_a"}, {&line.end_b, ".end_b"}}) {
-            if (end->kind != EndKind::free && end->position.z() < -depth) {
-                error(path + name, fmt::format("{}: z = {:.6g} m is below the seabed at {:.6g} m",
-                                               line.name, end->position.z(), -depth));
-            }
-        }
-        const double period = 2.0 * travel, D = case_.analysis.dynamics.platform_step;
-        if (line.end_a.kind == EndKind::platform && held && period < D) {
-            warning(path, fmt::format("{}: first axial period {:.3g} s is below the platform step "
-                                      "{:.3g} s; the coupling may go unstable",
-                                      line.name, period, D));
-        }
-    }
-
-    /// What a line without dynamics cannot have.
-    void model(const Line& line, const std::string& path) {
-        const LineModel its = line.model.value_or(case_.analysis.dynamics.line_model);
-        if (its == LineModel::dynamic) return;
-        const auto refuse = [&](bool has, const char* what, const char* instead) {
-            if (has) error(path, fmt::format("{}: {}; use the model {}", line.name, what, instead));
-        };
-        refuse(line.fail.has_value(), "only a dynamic line parts", "dynamic");
-        refuse(line.winch.has_value(), "only a dynamic line is paid out", "dynamic");
-        if (its != LineModel::catenary) return;
-        bool bends = false, curved = false;
-        for (const Section& s : line.sections) {
-            const LineType& type = case_.line_types[static_cast<std::size_t>(s.type)];
-            bends = bends || type.EI > 0.0;
-            curved = curved || !type.EA_curve.empty();
-        }
-        const auto turns_freely = [](const LineEnd& end) {
-            return end.kind != EndKind::free && end.joint == Joint::ball;
-        };
-        refuse(!line.constraints.empty(), "a catenary runs from end to end without constraints",
-               "quasi_static");
-        refuse(bends, "a catenary has no bending stiffness", "quasi_static");
-        refuse(curved, "a catenary stretches by one stiffness, not by a curve", "quasi_static");
-        refuse(!turns_freely(line.end_a) || !turns_freely(line.end_b),
-               "a catenary hangs between two ball joints", "quasi_static");
-        refuse(case_.environment.seabed.slope_angle != 0.0, "a catenary lies on a level bed",
-               "quasi_static");
-    }
-
     void times() {
         const Dynamics& d = case_.analysis.dynamics;
         if (d.statistics_from >= d.duration) {
             error("analysis.dynamics.statistics_from",
-                  fmt::format("{:.6g} s is not before the end at {:.6g} s", d.statistics_from,
-                              d.duration));
+                  fmt::format("{:.6g} s is not before the end at {:.6g} s; lower it (--set "
+                              "analysis.dynamics.statistics_from=\"{:.6g} s\"), or leave it out",
+                              d.statistics_from, d.duration, d.duration / 2.0));
         }
         if (!multiple(d.duration, d.platform_step)) {
             warning("analysis.dynamics.duration",
-                    fmt::format("{:.6g} s is not a multiple of the platform step {:.6g} s",
-                                d.duration, d.platform_step));
+                    fmt::format("{:.6g} s is not a multiple of the platform step {:.6g} s: the run "
+                                "goes on to {:.6g} s",
+                                d.duration, d.platform_step,
+                                d.platform_step * std::ceil(d.duration / d.platform_step)));
         }
         if (d.line_step > d.platform_step) {
             warning("analysis.dynamics.steps.lines", "longer than the platform step");
@@ -313,11 +250,14 @@ class Checks {
     }
 
     const Case& case_;
+    const DeclaredCase& declared_;
     Problems& problems_;
 };
 
 }  // namespace
 
-void check(const Case& value, Problems& problems) { Checks(value, problems).run(); }
+void check(const Case& value, const DeclaredCase& declared, Problems& problems) {
+    Checks(value, declared, problems).run();
+}
 
 }  // namespace hawser

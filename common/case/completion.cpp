@@ -225,15 +225,14 @@ class Completion {
 
     static void constraint(ConstraintKeys& c) {
         using Kind = ConstraintKind;
-        const bool rigid = c.type == Kind::ball_joint || c.type == Kind::flex_joint ||
-                           c.type == Kind::clamp || c.type == Kind::slider;
-        if (rigid && !c.stiffness) c.stiffness = 100e6;
+        if (!c.type) return;
+        if (c.type == Kind::slider && !c.stiffness) c.stiffness = 100e6;
         if (c.type == Kind::tensioner && !c.arc) c.arc = 0.0;
         if (!c.axis && (c.type == Kind::guide || c.type == Kind::slider)) c.axis = Vec3::UnitZ();
         if (c.name || c.names) return;
         static constexpr std::array names{"ball_joint", "flex_joint", "clamp",     "tensioner",
                                           "guide",      "slider",     "pull_tube", "winch"};
-        c.name = names.at(static_cast<std::size_t>(c.type));
+        c.name = names.at(static_cast<std::size_t>(*c.type));
     }
 
     static void elements(LineKeys& line) {

@@ -69,7 +69,10 @@ void contact_keys(Keys<ConstraintKeys>& k) {
         .eg("2 m");
     k.number("stiffness", &C::stiffness, dimension::stiffness,
              "Force per displacement: of the contact, of the linear tensioner")
-        .follows("100 MN/m for joints, clamps and sliders; none for the others")
+        .follows(
+            "joints and clamps: ten times that of the element they hold; sliders 100 MN/m; none "
+            "for "
+            "the others")
         .above(0)
         .eg("20 MN/m");
     k.number("damping", &C::damping, dimension::damping, "Force per speed, with the stiffness")
@@ -86,7 +89,7 @@ void contact_keys(Keys<ConstraintKeys>& k) {
     };
     k.number("mobilisation", &C::mobilisation, dimension::length,
              "Slide after which friction is fully mobilised")
-        .only_with("type", {"guide", "pull_tube"})
+        .only_with("type", {"guide", "pull_tube", "tensioner"})
         .def("10 mm")
         .above(0);
     places(k, "path", &C::path, "Points of a pull tube in the order of the line, from end A")

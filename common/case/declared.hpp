@@ -121,7 +121,7 @@ enum class TensionerLaw { linear, gas, table };
 
 /// What holds a line between its ends; a list of heights makes several of it.
 struct ConstraintKeys {
-    ConstraintKind type = ConstraintKind::guide;
+    std::optional<ConstraintKind> type;  ///< empty: not understood
     std::optional<std::string> platform, line, name, names;
     std::optional<double> arc;
     std::vector<double> z;
@@ -232,8 +232,9 @@ Case build(const DeclaredCase& declared, const std::string& name,
            const std::filesystem::path& folder, Problems& problems);
 
 /// What can be known from the text alone (README.md of this folder): geometry, physical sense.
-/// Numbers that could not be read are NaN and pass unnoticed here.
-void check(const Case& value, Problems& problems);
+/// Numbers that could not be read are NaN and pass unnoticed here. `declared` is what `value` was
+/// built of: it knows where in the file things stand.
+void check(const Case& value, const DeclaredCase& declared, Problems& problems);
 
 /// `word` if it is close to a known name: "; did you mean ...?", else the list of known names.
 std::string suggestion(const std::string& word, const std::vector<std::string>& known);

@@ -242,20 +242,28 @@ const Table& plate_keys() {
     return table;
 }
 
+/// Six numbers by the names of the modes: metres (a speed) for three, angles (their rate) for
+/// three.
+void mode_numbers(Keys<PlatformMotion>& k, Vec3 PlatformMotion::*linear,
+                  Vec3 PlatformMotion::*angular, const Dimension& of_linear,
+                  const Dimension& of_angular, const std::string& sentence) {
+    static constexpr std::array modes{"surge", "sway", "heave", "roll", "pitch", "yaw"};
+    for (Eigen::Index i = 0; i < 6; ++i) {
+        const Dimension& d = i < 3 ? of_linear : of_angular;
+        Vec3 PlatformMotion::*const member = i < 3 ? linear : angular;
+        const std::string mode = modes[static_cast<std::size_t>(i)];
+        k.number(
+             mode, [i, member](PlatformMotion& m) -> double& { return (m.*member)[i % 3]; }, d,
+             sentence + mode)
+            .def("0 " + std::string(d.unit));
+    }
+}
+
 const Table& velocity_keys() {
     static const Table table = [] {
         Keys<PlatformMotion> k("velocity");
-        static constexpr std::array modes{"surge", "sway", "heave", "roll", "pitch", "yaw"};
-        for (Eigen::Index i = 0; i < 6; ++i) {
-            const std::string mode = modes[static_cast<std::size_t>(i)];
-            k.number(
-                 mode,
-                 [i](PlatformMotion& m) -> double& {
-                     return i < 3 ? m.velocity[i] : m.angle_rates[i - 3];
-                 },
-                 i < 3 ? speed : angular_speed, "Rate of " + mode + " at the start")
-                .def(i < 3 ? "0 m/s" : "0 rad/s");
-        }
+        mode_numbers(k, &PlatformMotion::velocity, &PlatformMotion::angle_rates, speed,
+                     angular_speed, "Rate at the start of ");
         return k.done();
     }();
     return table;
@@ -264,17 +272,8 @@ const Table& velocity_keys() {
 const Table& initial_keys() {
     static const Table table = [] {
         Keys<PlatformMotion> k("initial");
-        static constexpr std::array modes{"surge", "sway", "heave", "roll", "pitch", "yaw"};
-        for (Eigen::Index i = 0; i < 6; ++i) {
-            const std::string mode = modes[static_cast<std::size_t>(i)];
-            k.number(
-                 mode,
-                 [i](PlatformMotion& m) -> double& {
-                     return i < 3 ? m.position[i] : m.angles[i - 3];
-                 },
-                 i < 3 ? length : angle, "Added to the static " + mode)
-                .def(i < 3 ? "0 m" : "0 deg");
-        }
+        mode_numbers(k, &PlatformMotion::position, &PlatformMotion::angles, length, angle,
+                     "Added to the static ");
         k.group("velocity", velocity_keys, "Rates at the start");
         return k.done();
     }();

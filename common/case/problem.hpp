@@ -14,6 +14,9 @@ struct Problem {
     std::string message;  ///< found, expected, hint
     std::string file;     ///< empty: not known yet
     int line = 0, column = 0;
+    /// Which of several things under one key: the line of a family. The same said of several is
+    /// said once.
+    std::string subject = {};
 
     bool operator==(const Problem&) const = default;
 };

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "io/json.hpp"
+
 namespace hawser::io {
 namespace {
 
@@ -159,26 +161,7 @@ std::string yaml_text(const std::string& text) {
         std::find(special.begin(), special.end(), text) == special.end()) {
         return text;
     }
-    std::string quoted = "\"";
-    for (const char c : text) {
-        switch (c) {
-            case '"':
-                quoted += "\\\"";
-                break;
-            case '\\':
-                quoted += "\\\\";
-                break;
-            case '\n':
-                quoted += "\\n";
-                break;
-            case '\t':
-                quoted += "\\t";
-                break;
-            default:
-                quoted += c;
-        }
-    }
-    return quoted + "\"";
+    return json_text(text);  // JSON's quotes are YAML's too
 }
 
 std::string echo(const DeclaredCase& declared, const KeyReader& reader,

@@ -318,7 +318,7 @@ CaseFile finish(Node root, const std::string& name, const std::string& file, con
     complete(declared, reader.given(), problems);
     CaseFile result;
     result.value = build(declared, name, folder, problems);
-    check(result.value, problems);
+    check(result.value, declared, problems);
     if (!file.empty()) {
         hydro_files(result.value, problems);
         unused(declared, reader.places(), file, problems);
@@ -367,6 +367,19 @@ CaseFile read_case(const fs::path& path, const Overrides& overrides) {
             }
         };
         mark(node);
+        if (key == "units" || key == "include" || key == "base") {
+            problems.push_back(problem_at(
+                node.place, key,
+                fmt::format("belongs to the text of a file and cannot be set from outside{}",
+                            key == "units" ? "; write numbers with their unit" : "")));
+            continue;
+        }
+        const Node* waves = root.find("environment");
+        if (waves != nullptr) waves = waves->find("waves");
+        if (key.starts_with("environment.waves[") && (waves == nullptr || waves->items.empty())) {
+            problems.push_back(problem_at(node.place, key, "the case has no waves"));
+            continue;
+        }
         set_value(root, key, node, problems);
     }
     const std::string name = path.stem().string();

@@ -25,7 +25,8 @@ std::string json(const std::string& case_file, const Problems& problems) {
         Json one = Json::object();
         one.put("severity", name_of(p.severity)).put("file", p.file);
         if (p.line > 0) one.put("line", p.line).put("column", p.column);
-        one.put("path", p.path).put("message", p.message);
+        const std::string of = p.subject.empty() ? "" : p.subject + ": ";
+        one.put("path", p.path).put("message", of + p.message);
         list.add(std::move(one));
     }
     const auto number = [&](Severity s) {

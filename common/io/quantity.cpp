@@ -188,6 +188,9 @@ Quantity parse_quantity(std::string_view text, const Dimension& expected, Units 
     const std::optional<double> number = parse_number(all.substr(0, n));
     if (!number) return refuse(" (too large or too small a number)");
     const std::string_view unit = trimmed(all.substr(n));
+    if (unit.size() > 1 && unit[0] == ',' && is_digit(unit[1])) {
+        return refuse(" (decimals stand behind a point: 1.5, not 1,5)");
+    }
     if (unit.empty()) {
         if (expected.unit_required && *number != 0.0) {
             return refuse(" without a unit: it must say degrees or radians");

@@ -86,6 +86,61 @@ TEST(CaseFile, ResolvedTextGivesTheSameBits) {
     }
 }
 
+std::string said_of(const fs::path& path, const Overrides& overrides) {
+    try {
+        read_case(path, overrides);
+    } catch (const InputError& e) {
+        return e.what();
+    }
+    return "valid";
+}
+
+TEST(CaseFile, WhatCannotBeSetFromOutsideIsRefused) {
+    const fs::path chain = fs::path(HAWSER_SOURCE_DIR) / "tests/common/cases/accepted/chain.yml";
+    for (const char* key : {"units", "include", "base"}) {
+        EXPECT_NE(said_of(chain, {{key, "US"}}).find("belongs to the text of a file"),
+                  std::string::npos)
+            << key;
+    }
+    EXPECT_EQ(said_of(chain, {{"environment.waves[0].seed", "3"}}),
+              "--set environment.waves[0].seed: error: environment.waves[0].seed: the case has no "
+              "waves\n1 error, 0 warnings. Nothing was run.");
+}
+
+// hanging_chain.yml says statistics_from: 60 s.
+TEST(CaseFile, AShorterDurationNamesTheKeyThatStandsInItsWay) {
+    const fs::path chain = fs::path(HAWSER_SOURCE_DIR) / "cases/hanging_chain.yml";
+    const std::string said = said_of(chain, {{"analysis.dynamics.duration", "40 s"}});
+    EXPECT_NE(said.find("--set analysis.dynamics.statistics_from=\"20 s\""), std::string::npos)
+        << said;
+    EXPECT_EQ(said_of(chain, {{"analysis.dynamics.duration", "40 s"},
+                              {"analysis.dynamics.statistics_from", "20 s"}}),
+              "valid");
+}
+
+TEST(CaseFile, ATensionersFrictionIsAForceAndAGuidesACoefficient) {
+    const fs::path riser = fs::path(HAWSER_SOURCE_DIR) / "tests/common/cases/accepted/riser.yml";
+    const Case c = read(riser, {{"lines.riser.constraints[0].friction", "5 kN"},
+                                {"lines.riser.constraints[1].friction", "0.2"},
+                                {"lines.riser.constraints[1].length", "4 m"}});
+    const std::vector<LineConstraint>& all = c.lines[0].constraints;
+    ASSERT_EQ(all.size(), 5U);
+    EXPECT_EQ(all[0].friction_force, 5e3);
+    EXPECT_EQ(all[0].friction, 0.0);
+    EXPECT_EQ(all[4].name, "plate2.lower");
+    EXPECT_EQ(all[4].position, Vec3(0, 0, -32));
+    EXPECT_EQ(all[4].friction, 0.2);
+}
+
+// The bed rises by 2 degrees towards y: under an anchor 1000 m out there it is 34.92 m higher.
+TEST(CaseFile, AnchorsLieOnASlopingBed) {
+    const fs::path chain = fs::path(HAWSER_SOURCE_DIR) / "tests/common/cases/accepted/chain.yml";
+    const Case c = read(chain, {{"environment.seabed.slope", "{angle: 2, direction: 90}"},
+                                {"lines.chain.end_b.anchor.position", "[0, 1000]"},
+                                {"lines.chain.sections[0].length", "1010 m"}});
+    EXPECT_NEAR(c.lines[0].end_b.position.z(), -100 + 1000 * std::tan(2 * M_PI / 180), 1e-9);
+}
+
 TEST(CaseFile, ResolvedTextIsCompleteButForAuto) {
     const std::string text = read_case(spar, {}).resolved;
     for (const char* key :
@@ -113,6 +168,29 @@ TEST(TrussSpar, LineTypesHaveTheirPublishedWeights) {
 }
 
 // Case-format 9.1: top-tensioned riser of Table 3: 235 + 102 - 133 kg/m, 2.00 kN/m.
+// A curve gives its first slope as the one number of the stiffness; a wall keeps what stresses
+// need.
+TEST(LineTypes, CurvesAndWallsAreKept) {
+    const fs::path riser = fs::path(HAWSER_SOURCE_DIR) / "tests/common/cases/accepted/riser.yml";
+    const Case c = read(riser, {{"line_types.pipe.EA", "[[0, 0], [0.001, 4 MN], [0.01, 20 MN]]"},
+                                {"line_types.pipe.stress", "{scf: 1.3, thickness_factor: 0.9}"},
+                                {"line_types.pipe.yield", "448 MPa"},
+                                {"materials.steel.poisson", "0.29"},
+                                {"lines.riser.end_b.joint", "flex"},
+                                {"lines.riser.end_b.rotational_stiffness",
+                                 "[[0, 0], [1 deg, 10 kN.m], [2 deg, 90 kN.m]]"}});
+    const LineType& pipe = c.line_types[0];
+    EXPECT_EQ(pipe.EA_curve, (Curve{{0, 0}, {0.001, 4e6}, {0.01, 20e6}}));
+    EXPECT_NEAR(pipe.EA, 4e9, 1);
+    EXPECT_EQ(pipe.wall->concentration, 1.3);
+    EXPECT_EQ(pipe.wall->thickness_factor, 0.9);
+    EXPECT_EQ(pipe.wall->yield, 448e6);
+    EXPECT_EQ(pipe.wall->poisson, 0.29);
+    const LineEnd& end = c.lines[0].end_b;
+    EXPECT_EQ(end.rotational_curve.size(), 3U);
+    EXPECT_NEAR(end.rotational_stiffness, 10e3 * 180 / M_PI, 1e-6);
+}
+
 TEST(LineTypes, PipeFullOfSeaWater) {
     const Case c = read(spar, {{"line_types.scr_oil.outer_diameter", "406 mm"},
                                {"line_types.scr_oil.wall_thickness", "25 mm"},

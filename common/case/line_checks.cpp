@@ -1,0 +1,366 @@
+#include "case/line_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser {
+namespace {
+
+class LineChecks {
+ public:
+    LineChecks(const Line& line, const LineKeys& keys, const Case& whole, Problems& problems)
+        : line_(line),
+          keys_(keys),
+          case_(whole),
+          path_("lines." + line.family),
+          problems_(problems) {}
+
+    void run() {
+        for (const Section& s : line_.sections) {
+            if (s.type < 0) return;  // reported already
+        }
+        ends();
+        for (const LineConstraint& c : line_.constraints) constraint(c);
+        if (line_.end_a.kind == EndKind::free) tensioned_from_above();
+        held_twice();
+        needs();
+        response();
+        parts();
+    }
+
+ private:
+    void error(const std::string& key, const std::string& message) {
+        problems_.push_back({.severity = Severity::error,
+                             .path = path_ + key,
+                             .message = message,
+                             .file = {},
+                             .subject = line_.name});
+    }
+    void warning(const std::string& key, const std::string& message) {
+        error(key, message);
+        problems_.back().severity = Severity::warning;
+    }
+
+    /// Key of a constraint: the declared one that its name was made of.
+    std::string key_of(const LineConstraint& c) const {
+        for (std::size_t i = 0; i < keys_.constraints.size(); ++i) {
+            const ConstraintKeys& declared = keys_.constraints[i];
+            std::string start = declared.names.value_or(declared.name.value_or(""));
+            const bool list = start.find("{n}") != std::string::npos;
+            start = start.substr(0, start.find("{n}"));
+            const bool long_guide = declared.length > 0.0;
+            if (c.name == start || ((list || long_guide) && c.name.starts_with(start))) {
+                return fmt::format(".constraints[{}]", i);
+            }
+        }
+        return ".constraints";
+    }
+
+    const LineType& type(int i) const { return case_.line_types[static_cast<std::size_t>(i)]; }
+
+    /// Of a section, tapered or not: the mean of a quantity of its two types.
+    template <class F>
+    double mean(const Section& s, F quantity) const {
+        const double from = quantity(type(s.type));
+        return s.type_at_end < 0 ? from : 0.5 * (from + quantity(type(s.type_at_end)));
+    }
+
+    double submerged_weight() const {
+        double sum = 0.0;
+        for (const Section& s : line_.sections) {
+            sum += s.length * mean(s, [this](const LineType& t) { return wet(t); });
+        }
+        return sum;
+    }
+    double wet(const LineType& t) const {
+        const Water& water = case_.environment.water;
+        return (t.mass - water.density * t.displaced_area) * water.gravity;
+    }
+
+    double bed(const Vec3& r) const {
+        const Seabed& s = case_.environment.seabed;
+        return -s.depth + std::tan(s.slope_angle) * (r.x() * std::cos(s.slope_direction) +
+                                                     r.y() * std::sin(s.slope_direction));
+    }
+
+    /// What it could stretch to before it breaks [m].
+    double stretch() const {
+        double sum = 0.0;
+        for (const Section& s : line_.sections) {
+            const std::string& kind = type(s.type).category;
+            sum += s.length * (kind == "rope" || kind == "general" ? 0.03 : 0.003);
+        }
+        return sum;
+    }
+
+    void ends() {
+        const Vec3 &a = line_.end_a.position, &b = line_.end_b.position;
+        const double length = line_.length();
+        const bool held = line_.end_a.kind != EndKind::free && line_.end_b.kind != EndKind::free;
+        const double distance = (b - a).norm();
+        const bool moves = line_.target.adjust != StaticTarget::Adjust::none;
+        if (held && !moves && distance > length + stretch()) {
+            error("",
+                  fmt::format("{:.6g} m long, but its ends are {:.6g} m apart", length, distance));
+        }
+        const double fold = std::hypot(b.x() - a.x(), b.y() - a.y()) + std::abs(b.z() - a.z());
+        if (held && !moves && line_.end_b.kind == EndKind::anchor && length > fold) {
+            warning("", fmt::format("{:.6g} m long, more than straight down and along the seabed "
+                                    "({:.6g} m)",
+                                    length, fold));
+        }
+        for (const auto& [end, key] :
+             {std::pair{&line_.end_a, ".end_a"}, {&line_.end_b, ".end_b"}}) {
+            const double floor = bed(end->position);
+            if (end->kind != EndKind::free && end->position.z() < floor - 1e-9 * std::abs(floor)) {
+                error(key, fmt::format("z = {:.6g} m is below the seabed at {:.6g} m",
+                                       end->position.z(), floor));
+            }
+        }
+        double travel = 0.0;
+        for (const Section& s : line_.sections) {
+            travel += s.length * std::sqrt(type(s.type).mass / type(s.type).EA);
+        }
+        const double period = 2.0 * travel, D = case_.analysis.dynamics.platform_step;
+        if (line_.end_a.kind == EndKind::platform && held && period < D) {
+            warning("", fmt::format("first axial period {:.3g} s is below the platform step {:.3g} "
+                                    "s; the coupling may go unstable",
+                                    period, D));
+        }
+    }
+
+    void constraint(const LineConstraint& c) {
+        const std::string key = key_of(c);
+        const auto say = [&](const std::string& message) {
+            error(key, fmt::format("\"{}\": {}", c.name, message));
+        };
+        if (c.stiffness > 1e10) {
+            say(
+                fmt::format("{:.3g} N/m is stiffer than steel against steel (about 1e9 N/m): no "
+                            "step of the rods resolves such an impact; 1e10 N/m is the limit",
+                            c.stiffness));
+        }
+        if (c.friction > 1.0) {
+            warning(key, fmt::format("\"{}\": coefficient of friction {:.3g}; steel has 0.1 to 0.5",
+                                     c.name, c.friction));
+        }
+        if (c.other_line >= 0) return;
+        std::vector<Vec3> places = c.path;
+        if (places.empty()) places.push_back(c.position);
+        for (const Vec3& place : places) this->place(c, place);
+        for (const Vec3& cylinder : c.cylinders) {
+            if ((cylinder - c.position).dot(c.axis) > 0.0) continue;
+            say(
+                fmt::format("a cylinder at z = {:.6g} m is not above the line's top at {:.6g} m: "
+                            "it could not pull upwards",
+                            cylinder.z(), c.position.z()));
+            break;
+        }
+    }
+
+    void place(const LineConstraint& c, const Vec3& place) {
+        const std::string key = key_of(c);
+        const auto say = [&](const std::string& message) {
+            error(key, fmt::format("\"{}\": {}", c.name, message));
+        };
+        const double z = place.z(), floor = bed(place);
+        if (z < floor - 1e-9 * std::abs(floor)) {
+            return say(fmt::format("z = {:.6g} m is below the seabed at {:.6g} m", z, floor));
+        }
+        const auto& platform = case_.platform;
+        if (c.on_platform && platform && platform->draft && z < -*platform->draft - 1.0) {
+            warning(key,
+                    fmt::format("\"{}\": z = {:.6g} m is below the platform's keel at {:.6g} m",
+                                c.name, z, -*platform->draft));
+        }
+        const bool judged = c.type == ConstraintType::tensioner ||  // by its stroke
+                            c.arc_length.value_or(0.0) > line_.length();
+        if (judged || line_.target.adjust != StaticTarget::Adjust::none) return;
+        // From an end of the line to the place there must be line enough.
+        const double length = line_.length(), arc = c.arc_length.value_or(NAN);
+        for (const auto& [end, along] :
+             {std::pair{&line_.end_a, arc}, {&line_.end_b, length - arc}}) {
+            if (end->kind == EndKind::free) continue;
+            const double distance = (place - end->position).norm();
+            const double reach = (std::isnan(along) ? length : along) * (1.0 + stretch() / length);
+            if (distance > reach + 0.1) {
+                return say(
+                    fmt::format("out of the line's reach: {:.6g} m from its end, to which "
+                                "it has {:.6g} m of line",
+                                distance, reach));
+            }
+        }
+    }
+
+    /// A riser held by tensioners at its top: is it long and tight enough?
+    void tensioned_from_above() {
+        double pull = 0.0;
+        const LineConstraint* tensioner = nullptr;
+        for (const LineConstraint& c : line_.constraints) {
+            if (c.type != ConstraintType::tensioner) continue;
+            pull += c.nominal_tension;
+            if (tensioner == nullptr) tensioner = &c;
+        }
+        if (tensioner == nullptr || line_.end_b.kind == EndKind::free) return;
+        const double weight = submerged_weight();
+        if (pull < 1.1 * weight) {
+            warning(key_of(*tensioner),
+                    fmt::format("tensioners pull with {:.0f} kN, less than 1.1 times the submerged "
+                                "weight of {:.0f} kN: the bottom may go into compression",
+                                pull / 1e3, weight / 1e3));
+        }
+        if (line_.target.pretension || line_.target.hang_off_angle) {
+            error("",
+                  "pretension and hang_off_angle are of an end that is held; this one hangs in "
+                  "its tensioner: its nominal_tension is the target");
+        }
+        span(*tensioner, pull);
+    }
+
+    /// Stroke at which the tensioner would stand if nothing were adjusted.
+    void span(const LineConstraint& tensioner, double pull) {
+        double stretch = 0.0, tension = pull;
+        for (const Section& s : line_.sections) {
+            const double weight = s.length * mean(s, [this](const LineType& t) { return wet(t); });
+            const double EA = mean(s, [](const LineType& t) {
+                return t.viscoelastic ? t.viscoelastic->EA_static : t.EA;
+            });
+            stretch += (tension - 0.5 * weight) / EA * s.length;
+            tension -= weight;
+        }
+        const double distance = (tensioner.position - line_.end_b.position).norm();
+        const double length = line_.length() - tensioner.arc_length.value_or(0.0);
+        const double stroke = distance - length - stretch;
+        const std::string spans = fmt::format(
+            "sections sum to {:.6g} m, {:.6g} m with their stretch, for a distance of {:.6g} m",
+            length, length + stretch, distance);
+        if (line_.target.adjust == StaticTarget::Adjust::section_length) {
+            const auto n = static_cast<std::size_t>(line_.target.section);
+            if (n >= line_.sections.size()) return;  // reported already
+            if (line_.sections[n].length + stroke <= 0.0) {
+                error(".sections", fmt::format("{}: section {} is too short to be adjusted by that",
+                                               spans, n + 1));
+            } else if (std::abs(stroke) > 0.02 * length) {
+                warning(".sections", fmt::format("{}: statics will change section {} by {:+.6g} m",
+                                                 spans, n + 1, stroke));
+            }
+        } else if (stroke < tensioner.stroke_min || stroke > tensioner.stroke_max) {
+            error(".sections",
+                  fmt::format("{}: the tensioner would stand at stroke {:.3g} m, beyond its stop; "
+                              "change a length, or give \"adjust\"",
+                              spans, stroke));
+        } else if (std::abs(stroke) > 0.25) {
+            warning(".sections",
+                    fmt::format("{}: the tensioner starts at stroke {:.3g} m, where it does not "
+                                "have its nominal tension; \"adjust\" meets it",
+                                spans, stroke));
+        }
+    }
+
+    void held_twice() {
+        if (line_.end_a.kind == EndKind::free) return;
+        for (const LineConstraint& c : line_.constraints) {
+            if (c.type != ConstraintType::tensioner || c.arc_length.value_or(1.0) > 0.0) continue;
+            error(key_of(c), fmt::format("\"{}\": end A is held already: a tensioner there "
+                                         "needs end_a: {{free: true}}",
+                                         c.name));
+        }
+        if (line_.winch && line_.end_a.kind == EndKind::anchor) {
+            error(winch_key(), "a winch stands at end A, which is an anchor here");
+        }
+    }
+
+    /// Keys that need something that is not there.
+    void needs() {
+        if (line_.sheltered_above && !case_.platform) {
+            error(".sheltered", "there is no platform for the water to move with");
+        }
+        const auto pipe = [this](const Section& s) { return type(s.type).wall.has_value(); };
+        if (line_.internal_pressure > 0.0 &&
+            std::none_of(line_.sections.begin(), line_.sections.end(), pipe)) {
+            error(".internal_pressure", "acts on pipes only; none of its sections is one");
+        }
+    }
+
+    /// What a line without dynamics cannot have.
+    void response() {
+        const LineModel its = line_.model.value_or(case_.analysis.dynamics.line_model);
+        if (its == LineModel::dynamic) return;
+        const auto refuse = [&](bool has, const char* what, const char* instead) {
+            if (has) error("", fmt::format("{}; use the model {}", what, instead));
+        };
+        refuse(line_.fail.has_value(), "only a dynamic line parts", "dynamic");
+        refuse(line_.winch.has_value(), "only a dynamic line is paid out", "dynamic");
+        if (its != LineModel::catenary) return;
+        bool bends = false, curved = false;
+        for (const Section& s : line_.sections) {
+            bends = bends || type(s.type).EI > 0.0;
+            curved = curved || !type(s.type).EA_curve.empty();
+        }
+        const auto turns_freely = [](const LineEnd& end) {
+            return end.kind != EndKind::free && end.joint == Joint::ball;
+        };
+        refuse(!line_.constraints.empty(), "a catenary runs from end to end without constraints",
+               "quasi_static");
+        refuse(bends, "a catenary has no bending stiffness", "quasi_static");
+        refuse(curved, "a catenary stretches by one stiffness, not by a curve", "quasi_static");
+        refuse(!turns_freely(line_.end_a) || !turns_freely(line_.end_b),
+               "a catenary hangs between two ball joints", "quasi_static");
+        refuse(case_.environment.seabed.slope_angle != 0.0, "a catenary lies on a level bed",
+               "quasi_static");
+    }
+
+    std::string winch_key() const {
+        for (std::size_t i = 0; i < keys_.constraints.size(); ++i) {
+            if (keys_.constraints[i].type != ConstraintKind::winch) continue;
+            return fmt::format(".constraints[{}].paid_out", i);
+        }
+        return ".constraints";
+    }
+
+    /// Failure and winch.
+    void parts() {
+        const double duration = case_.analysis.dynamics.duration;
+        if (line_.fail && line_.fail->time >= duration) {
+            warning(".fail", fmt::format("at {:.6g} s, after the end of the run at {:.6g} s",
+                                         line_.fail->time, duration));
+        }
+        if (!line_.winch) return;
+        const Curve& rows = line_.winch->paid_out;
+        double least = 0.0, before = rows.front()[1];
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            least = std::min(least, rows[i][1]);
+            if (rows[i][0] > 0.0) continue;
+            before = rows[i][1];
+            if (i + 1 < rows.size() && rows[i + 1][0] > 0.0) {
+                const double part = -rows[i][0] / (rows[i + 1][0] - rows[i][0]);
+                before = std::lerp(rows[i][1], rows[i + 1][1], part);
+            }
+        }
+        if (before != 0.0) {
+            error(winch_key(), fmt::format("the winch has paid out {:.6g} m at the start; the "
+                                           "length counts from there: begin with [0 s, 0 m]",
+                                           before));
+        }
+        if (-least >= line_.sections.front().length) {
+            error(winch_key(),
+                  fmt::format("the winch takes in {:.6g} m, all of section 1", -least));
+        }
+    }
+
+    const Line& line_;
+    const LineKeys& keys_;
+    const Case& case_;
+    std::string path_;
+    Problems& problems_;
+};
+
+}  // namespace
+
+void check_line(const Line& line, const LineKeys& keys, const Case& whole, Problems& problems) {
+    LineChecks(line, keys, whole, problems).run();
+}
+
+}  // namespace hawser

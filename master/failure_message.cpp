@@ -77,7 +77,8 @@ std::string failure_message(const Status& status, const Case& input, int stage,
                 line ? static_failure_cause(*line, input, pose) : "");
         case Status::Code::false_equilibrium:
             return fmt::format(
-                "{}: no static solution: what was found is not a hanging line (compressed, folded or "
+                "{}: no static solution: what was found is not a hanging line (compressed, folded "
+                "or "
                 "stretched beyond reason at {}); likely cause: {}",
                 name, where, line ? static_failure_cause(*line, input, pose) : "");
     }

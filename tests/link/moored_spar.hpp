@@ -60,7 +60,11 @@ inline Case moored_spar() {
     c.output.interval = 0.5;
     c.output.snapshots = 1.0;
     c.output.platform_loads = true;
-    c.output.lines = {{.select = "*", .end_b = true, .results = {"effective_tension", "force"}}};
+    c.output.lines = {{.select = "*",
+                       .end_b = true,
+                       .at_arc = {},
+                       .results = {"effective_tension", "force"},
+                       .range = {}}};
     return c;
 }
 

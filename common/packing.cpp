@@ -45,6 +45,16 @@ Layout layout_of(const Line& line, LineModel usual) {
             .constraints = std::move(constraints)};
 }
 
+/// Work of a line in element steps per simulated second; a pack steps at its slowest. Four passes
+/// per platform step D run dynamic lines over 3 D; quasi-static ones take some five solves each.
+double cost_of(const Layout& layout, double step, double D) {
+    constexpr double passes = 4.0, solves = 5.0, run = 3.0;
+    const double dynamic = layout.elements / step;
+    if (layout.model == LineModel::dynamic) return dynamic;
+    const double still = layout.elements * passes * solves / (run * D);
+    return layout.model == LineModel::quasi_static ? still : still / 10.0;
+}
+
 }  // namespace
 
 std::vector<Pack> packs_of(const Case& input) {
@@ -65,7 +75,7 @@ std::vector<Pack> packs_of(const Case& input) {
         const double step = std::min(line.time_step.value_or(input.analysis.dynamics.line_step),
                                      input.analysis.dynamics.line_step);
         packs[p].cost =
-            std::max(packs[p].cost, layout.elements / step);  // a pack steps at its slowest
+            std::max(packs[p].cost, cost_of(layout, step, input.analysis.dynamics.platform_step));
     }
     return packs;
 }

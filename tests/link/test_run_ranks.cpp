@@ -113,6 +113,26 @@ TEST(RunOnRanks, EndsOnAllRanksWithFiveAndAReadableResultWhenALineFails) {
     ranks().barrier();
 }
 
+TEST(RunOnRanks, LinesOfAllModelsGiveTheBitsOfARunAlone) {
+    Case input = test::moored_spar();
+    input.lines[1].model = input.lines[3].model = LineModel::quasi_static;
+    input.lines[2].model = input.lines[5].model = LineModel::catenary;
+    const fs::path together = folder("models"), by_itself = folder("models_alone");
+    io::Link link = ranks().duplicate();
+    ASSERT_EQ(run(input, together, link), ExitCode::done);
+    if (ranks().rank() == 0) {
+        io::Link alone;
+        ASSERT_EQ(run(input, by_itself, alone), ExitCode::done);
+        const io::Hdf5File a = io::Hdf5File::open(together / "result.h5");
+        const io::Hdf5File b = io::Hdf5File::open(by_itself / "result.h5");
+        for (const char* path : {"/platform/spar/position", "/platform/spar/loads/lines",
+                                 "/lines/end_a/effective_tension", "/lines/end_b/effective_tension",
+                                 "/lines/nodes/position"})
+            expect_same_bits(a, b, path);
+    }
+    ranks().barrier();
+}
+
 TEST(RunOnRanks, EveryRankPutsTheSameBitsIntoItsLinesForTheirTargets) {
     Case input = test::moored_spar();
     const double before = input.lines[0].end_b.position.norm();

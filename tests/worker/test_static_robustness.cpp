@@ -1,0 +1,126 @@
+// Statics where it is hard: failures, risers far off their place, much line on the bed.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "guided_riser.hpp"
+#include "rod/catenary.hpp"
+
+namespace hawser::worker {
+namespace {
+
+using namespace testing;
+
+bool same_bits(const RodState<Quad>& a, const RodState<Quad>& b) {
+    return std::memcmp(a.block().data(), b.block().data(), a.block().size() * sizeof(Quad)) == 0;
+}
+
+/// The oil riser of the truss spar: 324 x 20 mm, 2400 m, hung off at 172 m of depth.
+Case catenary_riser() {
+    LineType pipe = plain_type(232.0, 3.95e9, 4.43e7);
+    pipe.displaced_area = M_PI / 4 * 0.324 * 0.324;
+    pipe.outer_diameter = pipe.drag_diameter = 0.324;
+    pipe.drag_normal = 1.2;
+    pipe.added_mass_normal = 1.0;
+    LineEnd a;
+    a.kind = EndKind::platform;
+    a.position = {20, 0, -172};
+    a.joint = Joint::flex;
+    a.rotational_stiffness = 15e3 * 180 / M_PI;
+    Case input = one_line(pipe, 2400, 56, a, anchored_at({1517, 0, -1500}), 1500);
+    input.lines[0].sections = {{.type = 0, .length = 1250, .elements = 20},
+                               {.type = 0, .length = 750, .elements = 30},
+                               {.type = 0, .length = 400, .elements = 6}};
+    return input;
+}
+
+PlatformMotion at(double x, double y = 0.0, double z = 0.0) {
+    PlatformMotion pose;
+    pose.position = {x, y, z};
+    return pose;
+}
+
+TEST(StaticFailure, LeavesNoTraceInTheStateNorInWhatIsFoundNext) {
+    const Case input = catenary_riser();
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0}), other(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium(at(5), false).ok());
+    ASSERT_TRUE(other.equilibrium(at(5), false).ok());
+    ASSERT_FALSE(rod.equilibrium(at(-3000), false).ok());  // further than the riser is long
+    EXPECT_TRUE(same_bits(rod.kept(), other.kept()));
+    EXPECT_EQ(rod.tension_a(0), other.tension_a(0));
+    ASSERT_TRUE(rod.equilibrium(at(12, 3), false).ok());
+    ASSERT_TRUE(other.equilibrium(at(12, 3), false).ok());
+    EXPECT_TRUE(same_bits(rod.kept(), other.kept()));
+}
+
+TEST(StaticFailure, OfOneLaneIsNamedAndTheOthersKeepWhatTheyHad) {
+    Case input = catenary_riser();
+    Line short_one = input.lines[0];
+    short_one.end_b.position.x() = 2000;  // 2385 m off: it can follow 60 m, not 200
+    input.lines.push_back(short_one);
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0, 1});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    const RodState<Quad> before = rod.kept();
+    const Status status = rod.equilibrium(at(-800), false);
+    ASSERT_FALSE(status.ok());
+    EXPECT_EQ(status.line, 1);
+    EXPECT_TRUE(same_bits(rod.kept(), before));
+}
+
+TEST(CatenaryRiser, WithEightHundredMetresOnTheBedFollowsItsPlatform) {
+    const Case input = catenary_riser();
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0});
+    const double w = 232.0 * 9.80665 - 1025 * 9.80665 * M_PI / 4 * 0.324 * 0.324;
+    const std::vector<CatenaryElement> pipe(
+        60, {.length = 40, .EA = 3.95e9, .weight_wet = w, .weight_dry = w});
+    for (const double x : {0.0, 60.0, 30.0, -30.0, -60.0}) {  // towards the anchor and away
+        ASSERT_TRUE(rod.equilibrium(at(x), false).ok()) << x;
+        const Catenary c = solve_catenary(pipe, {1517, 0, -1500 + 0.162}, {20 + x, 0, -172}, true);
+        EXPECT_GT(c.grounded, 650.0);
+        const double T = std::hypot(c.horizontal, c.vertical_a);
+        // bending holds up the sag bend: EI/(T R^2) of the horizontal tension, 1 % of it
+        EXPECT_NEAR(rod.tension_a(0), T, 5e-3 * T) << x;
+    }
+}
+
+TEST(TensionedRiser, StandsAtAnyStrokeAtTheStart) {
+    for (const double length : {1518.0, 1519.0, 1520.0, 1521.0, 1522.0, 1523.0, 1524.0}) {
+        const Case input = guided_riser(length);  // 1521.1 m is stroke 0
+        const Sea sea = still_sea(input);
+        RodPack<Quad> rod(input, sea, {0});
+        ASSERT_TRUE(rod.equilibrium({}, false).ok()) << length;
+        // a longer riser stands higher: a metre less of stroke per metre, less what it stretches
+        EXPECT_NEAR(rod.constraint_opening(0, 0), 1521.1 - length, 0.15) << length;
+    }
+}
+
+TEST(TensionedRiser, FollowsItsPlatformToSixtyMetres) {
+    const Case input = guided_riser(1521.1);
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0});
+    const double dry = 337.0 * 9.80665, wet = dry - 1025 * 9.80665 * M_PI / 4 * 0.406 * 0.406;
+    double before = 0.0;
+    for (double x = 0.0; x <= 60.0; x += 5.0) {
+        ASSERT_TRUE(rod.equilibrium(at(x), false).ok()) << x;
+        const double pulls_back = -rod.wrench(0, at(x).position)[0];
+        const double F = rod.constraint_magnitude(0, 0);
+        if (x > 0.0) {
+            EXPECT_GT(pulls_back, before) << x;
+            // a string from the keel guide to the foot, h = 1327 m below, its tension growing by
+            // the weight w h: x w / ln(T_keel/T_foot); set-down, bending and the gap are 3 %
+            const double keel = F - 22 * dry - 173 * wet, foot = keel - 1327 * wet;
+            EXPECT_NEAR(pulls_back, x * wet / std::log(keel / foot), 0.03 * pulls_back) << x;
+        }
+        before = pulls_back;
+    }
+    RodPack<Quad> at_once(input, sea, {0});  // and at once
+    ASSERT_TRUE(at_once.equilibrium(at(60), false).ok());
+    EXPECT_NEAR(-at_once.wrench(0, at(60).position)[0], before, 1e-6 * before);
+}
+
+}  // namespace
+}  // namespace hawser::worker

@@ -16,13 +16,18 @@ namespace hawser::master {
 
 namespace {
 
-/// A given mass so far from the buoyancy that the hull alone would go down or jump out by a quarter
-/// of its draft: said before any line is looked at.
-void refuse_if_it_sinks(const Platform& platform, const Hull& hull, double g, double stiffness) {
-    const double buoyancy = hull.acting_buoyancy(), weight = hull.mass() * g;
+double draft_of(const Platform& platform) {
     double draft = platform.draft.value_or(0.0);
     for (const Member& member : platform.members)
         draft = std::max({draft, -member.from.z(), -member.to.z()});
+    return draft;
+}
+
+/// A given mass so far above the buoyancy that the hull alone would go down by a quarter of its
+/// draft: said before any line is looked at.
+void refuse_if_it_sinks(const Platform& platform, const Hull& hull, double g, double stiffness) {
+    const double buoyancy = hull.acting_buoyancy(), weight = hull.mass() * g;
+    const double draft = draft_of(platform);
     if (buoyancy <= 0.0 || draft <= 0.0) return;
     const double sinks = weight - buoyancy;
     if (sinks <= 0.25 * draft * std::max(stiffness, 0.0) || sinks <= 0.005 * buoyancy) return;
@@ -79,13 +84,19 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
                std::abs(hull.mass() * g - floats) > 0.005 * hull.acting_buoyancy()) {
         double held = stiffness;
         for (const LineLoad& line : design.lines) held += line.stiffness(2, 2);
+        const double heave = held > 0.0 ? (floats - hull.mass() * g) / held : HUGE_VAL;
         unbalanced = fmt::format(
             "{}: weight {:.4g} kN and line loads {:.4g} kN do not balance the buoyancy of {:.4g} "
             "kN at the design draft; it will float elsewhere, about {:+.3g} m in heave "
             "(platform.mass: auto would fit)",
             platform.name, hull.mass() * g / 1e3, out.vertical_line_load / 1e3,
-            hull.acting_buoyancy() / 1e3,
-            held > 0.0 ? (floats - hull.mass() * g) / held : HUGE_VAL);
+            hull.acting_buoyancy() / 1e3, heave);
+        const double draft = draft_of(platform);
+        if (draft > 0.0 && std::abs(heave) > 0.25 * draft)
+            throw RunError(ExitCode::no_equilibrium,
+                           unbalanced +
+                               ": more than a quarter of its draft; look at "
+                               "platform.mass and its unit");
         out.notes.push_back(unbalanced);
     }
 

@@ -190,6 +190,13 @@ class Check(unittest.TestCase):
             self.assertIn("more than the buoyancy", said)
             self.assertNotIn("ml1", said)
 
+        said = self.refused(SPAR, "platform.mass=103800 kg")  # for t: it would jump out by 71 m
+        self.assertIn("do not balance the buoyancy", said)
+        self.assertIn("its unit", said)
+        done = hawser("check", SPAR, "--statics", "--set", "platform.mass=97000 t")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("warning: spar: weight", done.stderr)
+
     def test_refuses_what_no_line_can_be(self):
         said = self.refused(CHAIN, "lines.chain.end_b={anchor: {position: [330 m, 0 m]}}")
         self.assertIn("chain", said)

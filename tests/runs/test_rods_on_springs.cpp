@@ -50,7 +50,8 @@ Finished run(double D, int steps, double rod_step) {
     lines.packs()[0].newton.max_iterations = 20;
     test::Body body;
     body.masses << 1e5, 1e5, 1e5, 1e7, 1e7, 1e7;
-    const Reply start = master::lines_at(lines, {}, false, [](const Status&) { return ""; });
+    const Reply start =
+        master::lines_at(lines, {}, false, [](const Status&, const PlatformMotion&) { return ""; });
     const Vec6 balance = master::total_wrench(start);
     body.force = [balance](double t) {  // brought in smoothly: the rods start at rest
         const Vec6 push = 4e4 * (Vec6() << 1, 0, -0.6, 0, 8, 0).finished();

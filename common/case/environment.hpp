@@ -2,6 +2,7 @@
 // headings are directions of travel, counter-clockwise from +x seen from above.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -25,6 +26,12 @@ struct Seabed {
     double friction_mobilisation = 0.05;                  ///< slide that mobilises them [m]
 
     bool operator==(const Seabed&) const = default;
+
+    /// z = -depth + tan(angle) (x cos direction + y sin direction) [m].
+    [[nodiscard]] double height(double x, double y) const {
+        return -depth + std::tan(slope_angle) *
+                            (x * std::cos(slope_direction) + y * std::sin(slope_direction));
+    }
 };
 
 enum class WaveType { airy, jonswap, pierson_moskowitz };

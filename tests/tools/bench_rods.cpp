@@ -1,6 +1,6 @@
 // Speed of the packed rod kernel: nanoseconds per element and time step, by user CPU time.
 //
-//     build/tests/bench_rods [elements] [seconds simulated]
+//     build/tests/bench_rods [elements] [seconds simulated] [friction coefficient of the bed]
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -23,7 +23,7 @@ using namespace hawser;
 using namespace hawser::worker;
 
 /// A chain-polyester-chain line in 1500 m with seabed, drag, two-modulus rope and moving top.
-Case mooring_line(int elements) {
+Case mooring_line(int elements, double friction) {
     LineType chain = worker::testing::plain_type(589, 3.07119e9),
              rope = worker::testing::plain_type(57.1, 7.0632e8);
     chain.displaced_area = 0.07503;
@@ -41,6 +41,7 @@ Case mooring_line(int elements) {
     top.motion = motion;
     Case input = worker::testing::one_line(chain, 91, elements, top,
                                            worker::testing::anchored_at({2050, 0, -1500}), 1500);
+    input.environment.seabed.friction_axial = input.environment.seabed.friction_lateral = friction;
     input.line_types.push_back(rope);
     const int chain_elements = std::max(2, elements / 10);
     input.lines[0].sections = {
@@ -56,7 +57,8 @@ Case mooring_line(int elements) {
 int main(int argc, char** argv) {
     const int elements = argc > 1 ? std::atoi(argv[1]) : 40;
     const double duration = argc > 2 ? std::atof(argv[2]) : 100.0;
-    const Case input = mooring_line(elements);
+    const double friction = argc > 3 ? std::atof(argv[3]) : 0.5;
+    const Case input = mooring_line(elements, friction);
     const Sea sea(input.environment, 0.0, 1.0);
     std::vector<double> figures;
     for (int repeat = 0; repeat < 5; ++repeat) {

@@ -28,7 +28,7 @@ inline ElementProperties<Single> dry_element(double L, double EA, double EI, dou
 
 inline Compliance<Single> elastic(double EA) {
     Compliance<Single> material{};
-    material.s = Single(1.0 / EA);
+    for (Single& s : material.s) s = Single(1.0 / EA);
     return material;
 }
 

@@ -114,6 +114,31 @@ TEST(TwoModulusRope, HasTheStorageAndLossModulusOfTheStandardSolid) {  // valida
     }
 }
 
+TEST(DualStiffness, StretchesStaticallyThenAnswersDynamically) {  // R:39
+    const double e0 = 0.002, step = 0.003, quick = 1e-3;
+    LineEnd a;
+    a.kind = EndKind::platform;
+    Case input = taut(0.0, e0, a);
+    input.line_types[0].viscoelastic->model = RopeLaw::dual_stiffness;
+    input.analysis.dynamics.line_step = 0.05;
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    const double T0 = EA_s * e0;
+    EXPECT_NEAR(rod.tension_a(0), T0, 1e-6 * T0);
+    const PlatformMotion before;
+    PlatformMotion after;
+    after.position.x() = step * length;
+    ASSERT_TRUE(rod.pass(0, quick, MotionSpline(0, before, quick, after)).ok());
+    rod.keep();
+    for (int k = 0; k < 2000; ++k) {  // it keeps: nothing creeps in 1000 s
+        const double t0 = quick + 0.5 * k, t1 = t0 + 0.5;
+        ASSERT_TRUE(rod.pass(t0, t1, MotionSpline(t0, after, t1, after)).ok());
+        rod.keep();
+        EXPECT_NEAR(rod.tension_a(0), T0 + EA_d * step, 1e-6 * EA_d * step) << t1;
+    }
+}
+
 TEST(StructuralDamping, StrainLagsByTheRetardationTimeAndForgetsAKink) {  // R:4 with g of R:27
     // A sudden start of the end at 1 m/s: the rate of strain must not go on changing its sign
     LineType type = plain_type(1e-3, EA_d);

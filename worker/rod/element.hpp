@@ -14,10 +14,11 @@ struct TrialNode {
     Vector<V> r, d, v, vd, a, ad;
 };
 
-/// The material of one element during one step, R:3: |r'| = 1 + b + s T with b per Gauss point.
+/// The material of one element during one step, R:3: |r'| = 1 + b + s T with b and s per Gauss
+/// point.
 template <class V>
 struct Compliance {
-    V s;                ///< [1/N]
+    V s[gauss_points];  ///< [1/N]
     V b[gauss_points];  ///< [-]
 };
 
@@ -52,12 +53,13 @@ template <class V>
 
 }  // namespace detail
 
-/// Assembles element (a, b), a towards end B. `lambda` is the multiplier at a, middle, b.
+/// Assembles element (a, b), a towards end B. `lambda` is the multiplier at a, middle, b; `before`
+/// is given where the bed's friction acts.
 template <class V>
 inline void assemble_element(const ElementProperties<V>& e, const TrialNode<V>& a,
                              const TrialNode<V>& b, const V (&lambda)[3],
                              const Compliance<V>& material, const Water<V>* water, const Bed& bed,
-                             V a0, V a1, ElementSystem<V>& out) {
+                             V a0, V a1, ElementSystem<V>& out, const GripBefore<V>& before = {}) {
     const V L = e.L, inverse_L = V(1.0) / L;
     // Scaled slopes: every shape function is a constant.
     const Vector<V> da = L * a.d, db = L * b.d;
@@ -81,6 +83,15 @@ inline void assemble_element(const ElementProperties<V>& e, const TrialNode<V>& 
         const V length = V(gauss_weight[g]) * L;
         PointLoad<V> load = point_load(e, x, water[g], bed, length, a0, a1);
 
+        if (before.grip != nullptr && any(load.on_bed > V(0.0))) {  // R:34
+            const NodeState<V>&na = *before.a, &nb = *before.b;
+            const Vector<V> moved =
+                x.r - (A1 * na.r + A2 * (L * na.d) + A3 * nb.r + A4 * (L * nb.d));
+            const BedFriction<V> friction =
+                bed_friction(bed, load.on_bed, x.p, slide_of(bed, moved, before.grip[g]));
+            load.f -= friction.force;
+            load.S.add(V(1.0), friction.stiffness);
+        }
         const Vector<V> f = length * load.f;
         R[0] += A1 * f, R[1] += A2 * f, R[2] += A3 * f, R[3] += A4 * f;
         int n = 0;
@@ -94,10 +105,10 @@ inline void assemble_element(const ElementProperties<V>& e, const TrialNode<V>& 
         // R:6, R:12, R:15: material law at the point
         const V multiplier = V(shape.P[g][0]) * lambda[0] + V(shape.P[g][1]) * lambda[1] +
                              V(shape.P[g][2]) * lambda[2];
-        const V strain = min(material.s * multiplier, V(0.5));
+        const V strain = min(material.s[g] * multiplier, V(0.5));
         const V inverse = V(1.0) / (V(1.0) - strain);
         const V G = (V(1.0) + material.b[g]) * inverse;
-        const V C = G * G * material.s * inverse;
+        const V C = G * G * material.s[g] * inverse;
         const V half = V(0.5) * G * G * length;
         int l = 0;
 #pragma GCC unroll 3

@@ -21,7 +21,16 @@ struct ElementProperties {
     V K_creep, c_creep;    ///< of the two-modulus rope [N], [N.s]; without creep K is huge, c zero
 };
 
-/// Scalar properties of element `e` (counted from end A) of a line.
+/// Retardation time of the dual-stiffness rope: no creep in any run [s], R:39.
+inline constexpr double no_creep = 1e20;
+
+/// The line type at a fraction 0 ... 1 of a section's length. Of a taper every property per length,
+/// every coefficient and diameter runs linearly; laws (tension table, model) are those of `type`.
+/// EA of a tension table is its mean slope.
+LineType line_type_at(const Case& input, const Section& section, double fraction);
+
+/// Scalar properties of element `e` (counted from end A) of a line, taken at its middle: of a
+/// taper right to second order in the element's length.
 /// @param axial_frequency_integral  int_0^L sqrt(m/EA) ds of the whole line [s], for R:5
 ElementProperties<double> element_properties(const Case& input, const Line& line,
                                              const LineMesh& mesh, int e,

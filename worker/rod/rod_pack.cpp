@@ -34,9 +34,7 @@ RodPack<V>::RodPack(const Case& input, const Sea& sea, std::vector<int> lines)
     : lines_(std::move(lines)),
       sea_(&sea),
       scheme_(input.analysis.dynamics.rod_scheme),
-      bed_{.z = -input.environment.seabed.depth,
-           .stiffness = input.environment.seabed.normal_stiffness,
-           .damping = input.environment.seabed.damping},
+      bed_(bed_of(input.environment.seabed)),
       gravity_(input.environment.water.gravity),
       water_density_(input.environment.water.density),
       force_(input.analysis.dynamics.force),
@@ -53,7 +51,8 @@ RodPack<V>::RodPack(const Case& input, const Sea& sea, std::vector<int> lines)
     set_properties(input);
     const std::size_t N = properties_.size();
     const int slabs = static_cast<int>(std::ceil(platform_step_ / wave_step_)) + 3;
-    kept_ = RodState<V>(static_cast<int>(N), static_cast<int>(constraints_.size()), slabs);
+    kept_ =
+        RodState<V>(static_cast<int>(N), static_cast<int>(constraints_.size()), slabs, bed_.rubs());
     const auto axis = [&](const EndPlace& place, Vector<V>& to, Mask& is_static) {
         for (int i = 0; i < lanes; ++i) {
             const LineEnd& end = place.end[static_cast<std::size_t>(i)];

@@ -217,6 +217,13 @@ class RodPack {
     void predict(const RodState<V>& s, V h);
     void prepare_material(const RodState<V>& s, V h);
     void accept(Mask accepted, V h, V t_new);
+    void drag_grips(Mask accepted);
+    /// Friction of the bed acts in motion only, not in statics or quasi-static passes.
+    [[nodiscard]] GripBefore<V> grip_before(std::size_t e) const {
+        if (static_ || working_.grips() == nullptr) return {};
+        return {&working_.nodes()[e], &working_.nodes()[e + 1],
+                working_.grips() + e * gauss_points};
+    }
     void add_to_fit(int lane, int i, int n, const MotionSpline& platform);
 
     // quasi_static.cpp
@@ -296,6 +303,8 @@ class RodPack {
     Mask false_equilibria() const;
     Status status_of(Mask bad, Status::Code code, double t) const;
     void finish_statics(Mask good);
+    void set_pose(const PlatformMotion& pose);
+    [[nodiscard]] PlatformMotion last_pose() const;
 
     std::vector<int> lines_;
     const Sea* sea_;
@@ -330,8 +339,6 @@ class RodPack {
     Mask axis_is_static_a_, axis_is_static_b_;
 
     RodState<V> kept_, working_;
-    std::int64_t wave_index_ = -1;  ///< last grid time j of R:19 that has been sampled
-    PlatformMotion pose_;           ///< of the last static solution
 
     // Workspace of a step
     std::vector<TrialNode<V>> trial_;

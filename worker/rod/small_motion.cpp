@@ -12,7 +12,7 @@ template <class V>
 void RodPack<V>::prepare_tangent(double omega) {
     static_ = true;
     friction_on_ = false;
-    const MotionSpline still(0.0, pose_, 0.0, pose_);
+    const MotionSpline still(0.0, last_pose(), 0.0, last_pose());
     const NodeState<V>* node = kept_.nodes();
     for (std::size_t n = 0; n < trial_.size(); ++n)
         trial_[n] = {.r = node[n].r, .d = node[n].d, .v = {}, .vd = {}, .a = {}, .ad = {}};

@@ -64,7 +64,7 @@ void RodPack<V>::solve(V a0, V a1) {
         const V lambda[3] = {lambda_[2 * e], lambda_[2 * e + 1], lambda_[2 * e + 2]};
         ElementSystem<V>& element = element_;
         assemble_element(properties_[e], trial_[e], trial_[e + 1], lambda, material_[e],
-                         &water_[e * gauss_points], bed_, a0, a1, element);
+                         &water_[e * gauss_points], bed_, a0, a1, element, grip_before(e));
         if (!constraints_.empty()) add_constraints(e, element);
         Middle& middle = middles_[e];
         for (int i = 0; i < 14; ++i) middle.column[i] = element.column[i];

@@ -30,6 +30,13 @@ struct Strain {
     V damper{}, damper_rate{}, creep{}, creep_rate{};
 };
 
+/// Deflection of the seabed's friction spring at a Gauss point, on the axes of the bed's plane,
+/// R:34 [m].
+template <class V>
+struct Grip {
+    V uphill{}, level{};
+};
+
 /// Water at a Gauss point at one grid time: velocity, wave acceleration, elevation above it; R:19.
 template <class V>
 struct Water {
@@ -63,17 +70,23 @@ struct RodHead {
     Vector<V> force_a, force_b;    ///< force of the supports on the rod at its ends [N]
     Vector<V> moment_a, moment_b;  ///< moment of the joints at the ends on the rod [N.m]
     Vector<V> axis_a, axis_b;      ///< slope-constraint axes, from B to A, on their own frame
+    Vector<V> pose_position, pose_angles;  ///< of the platform at the last static solution
+    V wave_index{};                        ///< last grid time j of R:19 sampled; none: -1
 };
 
 template <class V>
 class RodState {
  public:
     RodState() = default;
-    RodState(int elements, int constraints, int water_slabs)
+    /// @param grips  room for the friction springs of the seabed
+    RodState(int elements, int constraints, int water_slabs, bool grips = false)
         : elements_(static_cast<std::size_t>(elements)),
           constraints_(static_cast<std::size_t>(constraints)),
           slabs_(static_cast<std::size_t>(water_slabs)),
-          block_(water_start() + slabs_ * points() * (sizeof(Water<V>) / sizeof(V))) {}
+          grips_(grips ? points() : 0),
+          block_(water_start() + slabs_ * points() * (sizeof(Water<V>) / sizeof(V))) {
+        head().wave_index = V(-1.0);
+    }
 
     RodHead<V>& head() { return *at<RodHead<V>>(0); }
     const RodHead<V>& head() const { return *at<const RodHead<V>>(0); }
@@ -88,6 +101,9 @@ class RodState {
     const ConstraintState<V>* constraints() const {
         return at<const ConstraintState<V>>(constraint_start());
     }
+    /// Friction springs of all Gauss points; null without friction.
+    Grip<V>* grips() { return grips_ == 0 ? nullptr : at<Grip<V>>(grip_start()); }
+    const Grip<V>* grips() const { return grips_ == 0 ? nullptr : at<const Grip<V>>(grip_start()); }
     Water<V>* water(std::size_t slab) { return at<Water<V>>(water_start()) + slab * points(); }
     const Water<V>* water(std::size_t slab) const {
         return at<const Water<V>>(water_start()) + slab * points();
@@ -111,9 +127,10 @@ class RodState {
     std::size_t constraint_start() const {
         return strain_start() + points() * count(sizeof(Strain<V>));
     }
-    std::size_t water_start() const {
+    std::size_t grip_start() const {
         return constraint_start() + constraints_ * count(sizeof(ConstraintState<V>));
     }
+    std::size_t water_start() const { return grip_start() + grips_ * count(sizeof(Grip<V>)); }
     template <class T>
     T* at(std::size_t i) {
         return reinterpret_cast<T*>(block_.data() + i);
@@ -123,7 +140,7 @@ class RodState {
         return reinterpret_cast<T*>(block_.data() + i);
     }
 
-    std::size_t elements_ = 0, constraints_ = 0, slabs_ = 0;
+    std::size_t elements_ = 0, constraints_ = 0, slabs_ = 0, grips_ = 0;
     std::vector<V> block_;
 };
 

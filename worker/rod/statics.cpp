@@ -127,7 +127,8 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wa
         trial_[n] = {.r = node[n].r, .d = node[n].d, .v = {}, .vd = {}, .a = {}, .ad = {}};
     for (std::size_t i = 0; i < lambda_.size(); ++i) lambda_[i] = kept_.lambda()[i].now;
     for (std::size_t e = 0; e < properties_.size(); ++e) {
-        material_[e].s = V(1.0) / properties_[e].K_damper + V(1.0) / properties_[e].K_creep;
+        for (V& s : material_[e].s)
+            s = V(1.0) / properties_[e].K_damper + V(1.0) / properties_[e].K_creep;
         for (V& b : material_[e].b) b = V(0.0);
     }
     end_a_ = end_values(place_a_, kept_.head().axis_a, V(0.0), still);
@@ -226,7 +227,8 @@ void RodPack<V>::finish_statics(Mask good) {
         node[n].v = node[n].vd = node[n].a = node[n].ad = node[n].A = node[n].Ad = Vector<V>{};
     kept_.head().t = V(0.0);
     kept_.head().h = line_step_;
-    wave_index_ = -1;
+    kept_.head().wave_index = V(-1.0);
+    if (Grip<V>* grip = kept_.grips()) std::fill(grip, grip + kept_.points(), Grip<V>{});
     working_ = kept_;
 }
 
@@ -234,8 +236,9 @@ template <class V>
 Status RodPack<V>::equilibrium(const PlatformMotion& pose, bool current) {
     if (model_ == LineModel::catenary) return hang_at(pose);
     const RodState<V> before = kept_;  // a failure leaves everything as it was
+    const bool started = started_;
     const Status status = find_equilibrium(pose, current);
-    if (!status.ok()) kept_ = before;
+    if (!status.ok()) kept_ = before, started_ = started;
     return status;
 }
 
@@ -265,14 +268,14 @@ Status RodPack<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
         take_joint_axes(kept_);
         if (any(false_equilibria()))
             return status_of(false_equilibria(), Status::Code::false_equilibrium, 0.0);
-        pose_ = design;
+        set_pose(design);
         started_ = true;
     }
     // Walk to the pose asked for in increments that depend on the platform's move alone.
+    const PlatformMotion from = last_pose();
     const double move =
-        (pose.position - pose_.position).norm() + turn_lever * (pose.angles - pose_.angles).norm();
+        (pose.position - from.position).norm() + turn_lever * (pose.angles - from.angles).norm();
     const int increments = std::max(1, static_cast<int>(std::ceil(move / move_per_increment)));
-    const PlatformMotion from = pose_;
     for (int k = 1; k <= increments; ++k) {
         const double q = static_cast<double>(k) / increments;
         PlatformMotion at = pose;
@@ -295,11 +298,30 @@ Status RodPack<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
     }
     if (any(false_equilibria()))
         return status_of(false_equilibria(), Status::Code::false_equilibrium, 0.0);
-    pose_ = pose;
+    set_pose(pose);
     finish_statics(used_);
     for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
         fitted_[static_cast<std::size_t>(i)] = wrench(i, pose.position);
     return {};
+}
+
+template <class V>
+void RodPack<V>::set_pose(const PlatformMotion& pose) {
+    const auto all = [](const Vec3& x) { return Vector<V>{x.x(), x.y(), x.z()}; };
+    kept_.head().pose_position = all(pose.position);
+    kept_.head().pose_angles = all(pose.angles);
+}
+
+template <class V>
+PlatformMotion RodPack<V>::last_pose() const {
+    using T = LaneTraits<V>;
+    const auto first = [](const Vector<V>& x) {
+        return Vec3(T::get(x.x, 0), T::get(x.y, 0), T::get(x.z, 0));
+    };
+    PlatformMotion pose;
+    pose.position = first(kept_.head().pose_position);
+    pose.angles = first(kept_.head().pose_angles);
+    return pose;
 }
 
 template <class V>

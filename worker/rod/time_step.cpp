@@ -20,8 +20,8 @@ void RodPack<V>::prepare_material(const RodState<V>& s, V h) {
         // R:4 for the damper (weight g) and the creep element (weight 1/2)
         const V s1 = V(1.0) / (p.K_damper + p.c_damper * inverse_gh);
         const V s2 = V(1.0) / (p.K_creep + p.c_creep * inverse_half_h);
-        material_[e].s = s1 + s2;
         for (std::size_t k = 0; k < gauss_points; ++k) {
+            material_[e].s[k] = s1 + s2;
             const Strain<V>& q = strain[e * gauss_points + k];
             material_[e].b[k] = s1 * p.c_damper * (q.damper * inverse_gh + ratio * q.damper_rate) +
                                 s2 * p.c_creep * (q.creep * inverse_half_h + q.creep_rate);
@@ -55,8 +55,48 @@ void RodPack<V>::predict(const RodState<V>& s, V h) {
 }
 
 template <class V>
+void RodPack<V>::drag_grips(Mask accepted) {
+    // R:34: the springs' places change at the end of a step only. From the values before accept()
+    // overwrites them.
+    Grip<V>* grip = working_.grips();
+    const NodeState<V>* node = working_.nodes();
+    for (std::size_t e = 0; e < properties_.size(); ++e, grip += gauss_points) {
+        const TrialNode<V>&a = trial_[e], &b = trial_[e + 1];
+        const NodeState<V>&na = node[e], &nb = node[e + 1];
+        const V L = properties_[e].L;
+        // A cubic is not below the lower of its ends less 4/27 of its end slopes.
+        const V lowest =
+            min(height_on_bed(bed_, a.r), height_on_bed(bed_, b.r)) -
+            V(4.0 / 27.0) * L * (abs(speed_off_bed(bed_, a.d)) + abs(speed_off_bed(bed_, b.d)));
+        if (!any(lowest < V(bed_.z) + V(0.5) * properties_[e].D)) {
+            for (std::size_t g = 0; g < gauss_points; ++g) {
+                grip[g].uphill = select(accepted, V(0.0), grip[g].uphill);
+                grip[g].level = select(accepted, V(0.0), grip[g].level);
+            }
+            continue;
+        }
+        for (std::size_t g = 0; g < gauss_points; ++g) {
+            const V A1(shape.A[g][0]), A2 = V(shape.A[g][1]) * L, A3(shape.A[g][2]),
+                                       A4 = V(shape.A[g][3]) * L;
+            const Vector<V> r = A1 * a.r + A2 * a.d + A3 * b.r + A4 * b.d;
+            const Vector<V> v = A1 * a.v + A2 * a.vd + A3 * b.v + A4 * b.vd;
+            const BedContact<V> contact = bed_contact(
+                bed_, height_on_bed(bed_, r), speed_off_bed(bed_, v), properties_[e].D, V(0.0));
+            const Mask touches = contact.force > V(0.0);
+            Vector<V> moved;
+            if (any(touches)) moved = r - (A1 * na.r + A2 * na.d + A3 * nb.r + A4 * nb.d);
+            const Slide<V> s = slide_of(bed_, moved, grip[g]);
+            grip[g].uphill =
+                select(accepted, select(touches, s.q * s.uphill, V(0.0)), grip[g].uphill);
+            grip[g].level = select(accepted, select(touches, s.q * s.level, V(0.0)), grip[g].level);
+        }
+    }
+}
+
+template <class V>
 void RodPack<V>::accept(Mask accepted, V h, V t_new) {
     RodState<V>& s = working_;
+    if (s.grips() != nullptr && !static_) drag_grips(accepted);
     const V from_new((1.0 - scheme_.af) / (1.0 - scheme_.am));
     const V from_a(scheme_.af / (1.0 - scheme_.am)), from_A(-scheme_.am / (1.0 - scheme_.am));
     NodeState<V>* node = s.nodes();
@@ -88,8 +128,8 @@ void RodPack<V>::accept(Mask accepted, V h, V t_new) {
                 const V l = V(shape.P[k][0]) * lambda_[2 * e] +
                             V(shape.P[k][1]) * lambda_[2 * e + 1] +
                             V(shape.P[k][2]) * lambda_[2 * e + 2];
-                const V T =
-                    l * (V(1.0) + material_[e].b[k]) / (V(1.0) - min(material_[e].s * l, V(0.5)));
+                const V T = l * (V(1.0) + material_[e].b[k]) /
+                            (V(1.0) - min(material_[e].s[k] * l, V(0.5)));
                 const V e1 =
                     s1 * (p.c_damper * (q.damper * inverse_gh + ratio * q.damper_rate) + T);
                 const V e2 = s2 * (p.c_creep * (q.creep * inverse_half_h + q.creep_rate) + T);
@@ -166,8 +206,8 @@ Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
     if (model_ == LineModel::quasi_static) return still_pass(t0, t1, platform);
     if (model_ == LineModel::catenary) return hang(t1, platform);
     static_ = false;
-    if (wave_index_ < 0 ||
-        (static_cast<double>(wave_index_) + 1e-9) * wave_step_ < t0 + platform_step_)
+    const double sampled = T::get(kept_.head().wave_index, 0);
+    if (sampled < 0.0 || (sampled + 1e-9) * wave_step_ < t0 + platform_step_)
         refresh_water(t0 + platform_step_);
     working_ = kept_;
     begin_impulses(t1 - t0);

@@ -16,9 +16,10 @@ void RodPack<V>::refresh_water(double until) {
     const auto last = static_cast<std::int64_t>(std::ceil(until / wave_step_ - 1e-9));
     const auto first = static_cast<std::int64_t>(std::floor(t / wave_step_ + 1e-9));
     const auto slabs = static_cast<std::int64_t>(kept_.slabs());
-    for (std::int64_t j = std::max(wave_index_ + 1, first); j <= last; ++j)
+    const auto sampled = static_cast<std::int64_t>(LaneTraits<V>::get(kept_.head().wave_index, 0));
+    for (std::int64_t j = std::max(sampled + 1, first); j <= last; ++j)
         sample_slab(static_cast<double>(j) * wave_step_, static_cast<std::size_t>(j % slabs));
-    wave_index_ = std::max(wave_index_, last);
+    kept_.head().wave_index = V(static_cast<double>(std::max(sampled, last)));
 }
 
 template <class V>

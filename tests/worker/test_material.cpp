@@ -135,7 +135,8 @@ TEST(DualStiffness, StretchesStaticallyThenAnswersDynamically) {  // R:39
         const double t0 = quick + 0.5 * k, t1 = t0 + 0.5;
         ASSERT_TRUE(rod.pass(t0, t1, MotionSpline(t0, after, t1, after)).ok());
         rod.keep();
-        EXPECT_NEAR(rod.tension_a(0), T0 + EA_d * step, 1e-6 * EA_d * step) << t1;
+        // the jerk of the step rings in its axial modes at first
+        EXPECT_NEAR(rod.tension_a(0), T0 + EA_d * step, 1e-5 * EA_d * step) << t1;
     }
 }
 

@@ -25,7 +25,7 @@ void RodPack<V>::prepare_tangent(double omega) {
         const V real = V(1.0) / p.K_damper + p.K_creep / size, imaginary = w_c / size;
         const V s = (real * real + imaginary * imaginary) / real;
         const V s_static = V(1.0) / p.K_damper + V(1.0) / p.K_creep;
-        material_[e].s = s;
+        for (V& point : material_[e].s) point = s;
         for (std::size_t g = 0; g < gauss_points; ++g) {  // R:3 keeps its stretch at rest
             const Multiplier<V>* l = kept_.lambda() + 2 * e;
             const V lambda = V(shape.P[g][0]) * l[0].now + V(shape.P[g][1]) * l[1].now +

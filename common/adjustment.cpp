@@ -18,11 +18,7 @@ void adjust(Line& line, const Environment& environment, double value) {
         Vec3& b = line.end_b.position;
         const double before = std::hypot(b.x(), b.y());
         b.x() *= value / before, b.y() *= value / before;
-        const Seabed& bed = environment.seabed;
-        if (line.end_b.kind == EndKind::anchor)
-            b.z() =
-                -bed.depth + std::tan(bed.slope_angle) * (b.x() * std::cos(bed.slope_direction) +
-                                                          b.y() * std::sin(bed.slope_direction));
+        if (line.end_b.kind == EndKind::anchor) b.z() = environment.seabed.height(b.x(), b.y());
         return;
     }
     double end = 0.0;

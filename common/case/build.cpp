@@ -137,9 +137,7 @@ class Build {
 
     /// Height of the seabed [m].
     double bed(double x, double y) const {
-        const Seabed& s = declared_.environment.seabed;
-        return -s.depth + std::tan(s.slope_angle) *
-                              (x * std::cos(s.slope_direction) + y * std::sin(s.slope_direction));
+        return declared_.environment.seabed.height(x, y);
     }
 
     int type_index(const std::string& name, const std::string& path) {

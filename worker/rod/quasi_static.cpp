@@ -69,9 +69,9 @@ void RodPack<V>::carry_with_hull(int lane, const PlatformMotion& from, const Pla
 }
 
 template <class V>
-void RodPack<V>::current_at(double t) {
+void RodPack<V>::current_at(double t, const MotionSpline& platform) {
     const double factor = sea_->current_factor(t);
-    current_only(factor > 0.0);
+    current_only(factor > 0.0, V(t), platform);
     if (factor == 1.0) return;
     for (Water<V>& w : water_) w.u = V(factor) * w.u;
 }
@@ -90,7 +90,9 @@ auto RodPack<V>::still_attempt(Mask wanted, double t0, double t1, V t, const Mot
     for (int i = 0; i < newton.still_iterations && any(iterating); ++i) {
         V correction, finite;
         // the first correction brings every point to within centimetres of its place
-        if (i < 2) current_at(t1);
+        if (i < 2) current_at(t1, platform);
+        Mask fits = wanted;
+        if (!curves_.empty()) fits = follow_curves(iterating, &kept_, V(t1 - t0));
         if (!constraints_.empty()) {
             place_constraints(kept_, V(t0), t, platform, false);
             evaluate_constraints(V(0.0));
@@ -107,7 +109,7 @@ auto RodPack<V>::still_attempt(Mask wanted, double t0, double t1, V t, const Mot
             settle_constraints(iterating);
         }
         const Mask sound = iterating & (finite <= V(0.0));
-        const Mask done = sound & (correction <= V(newton.still_tolerance));
+        const Mask done = sound & fits & (correction <= V(newton.still_tolerance));
         solved = solved | done;
         iterating = sound & !done;
     }
@@ -124,6 +126,8 @@ Status RodPack<V>::still_pass(double t0, double t1, const MotionSpline& platform
     ++work_.steps;
     work_.rod_time += t1 - t0;
     const double H = t1 - t0;
+    released_ = T::none(), dead_ = V(-1.0);
+    if (winds_) pay_out(V(t1));
     prepare_material(kept_, V(H));
 
     // Straight to t1 as a rule; a lane that fails goes there in parts of the platform's way, which

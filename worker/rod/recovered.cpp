@@ -167,7 +167,9 @@ void Recovery<V>::recover(const RodPack<V>& rod, bool angles) {
         at.p_o = V(water_density_ * gravity_) * max(V(0.0), -at.r.z);
         const std::size_t near = n == N ? N - 1 : n;  // the element towards end A
         const V D = element[near].D;
-        at.seabed = bed_contact(rod.bed(), at.r.z, at.v.z, D, V(0.0)).force;
+        at.seabed = bed_contact(rod.bed(), height_on_bed(rod.bed(), at.r),
+                                speed_off_bed(rod.bed(), at.v), D, V(0.0))
+                        .force;
 
         // r'' and B r'' straight between the two points around, i and i + 1
         const bool inside = n > 0 && n < N;
@@ -250,7 +252,9 @@ Recovered<Single> Recovery<V>::at(const RodPack<V>& rod, const RodPlace& place) 
     }
     at.p_o = Single(water_density_ * gravity_) * max(Single(0.0), -at.r.z);
     const Single D(T::get(rod.properties()[e].D, lane));
-    at.seabed = bed_contact(rod.bed(), at.r.z, at.v.z, D, Single(0.0)).force;
+    at.seabed = bed_contact(rod.bed(), height_on_bed(rod.bed(), at.r),
+                            speed_off_bed(rod.bed(), at.v), D, Single(0.0))
+                    .force;
 
     // The two points around: of this element, or one of a neighbour
     std::size_t ea = e, eb = e;
@@ -293,7 +297,8 @@ Grounding Recovery<V>::grounding(const RodPack<V>& rod, int lane) const {
         return Vec3(get(&Vector<V>::x), get(&Vector<V>::y), get(&Vector<V>::z));
     };
     const auto penetration = [&](std::size_t e, double xi) {  // of R:33
-        return rod.bed().z + 0.5 * T::get(rod.properties()[e].D, lane) - point(e, xi).z();
+        const Vec3 from_origin = point(e, xi) - Vec3(0.0, 0.0, rod.bed().z);
+        return 0.5 * T::get(rod.properties()[e].D, lane) - rod.bed().normal.dot(from_origin);
     };
     bool touched = false;
     for (auto e = static_cast<std::size_t>(rod.elements()); e-- > 0;) {

@@ -82,6 +82,7 @@ RodPack<V>::RodPack(const Case& input, const Sea& sea, std::vector<int> lines)
     const std::size_t samples = lines_.size() * N * gauss_points;
     for (auto* v : {&xs_, &ys_, &zs_, &ux_, &uy_, &uz_, &ax_, &ay_, &az_, &eta_})
         v->resize(samples);
+    slot_.resize(samples);
 }
 
 template <class V>
@@ -139,6 +140,17 @@ void RodPack<V>::set_properties(const Case& input) {
     set_slope_law(place_b_, law_b_, properties_.front());
     set_spring();
     set_constraints(input);
+    set_curves(input);
+    set_changes(input);
+    sheltered_above_ = V(1e30);
+    for (int i = 0; i < lanes; ++i) {
+        const auto lane = static_cast<std::size_t>(i);
+        const Line& line = input.lines[static_cast<std::size_t>(
+            lines_[lane < lines_.size() ? lane : std::size_t{0}])];
+        if (!line.sheltered_above) continue;
+        shelters_ = true;
+        T::set(sheltered_above_, i, *line.sheltered_above);
+    }
 }
 
 template <class V>

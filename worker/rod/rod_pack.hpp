@@ -76,6 +76,13 @@ struct PlacedConstraint {
     std::array<Vector<V>, 3> used;  ///< the same of the passes before the kept one, R:40
 };
 
+/// The first section of a line that a winch pays out or takes in.
+struct WoundLine {
+    Curve paid_out;
+    double section = 0.0;  ///< its length without the winch [m]
+    int elements = 0;      ///< of it, at end A; 0: no winch
+};
+
 /// Work done, for tests and the benchmark.
 struct WorkCount {
     std::int64_t passes = 0, steps = 0, solves = 0, water_samples = 0;
@@ -231,7 +238,7 @@ class RodPack {
     Mask still_attempt(Mask wanted, double t0, double t1, V t, const MotionSpline& platform);
     void start_still(Mask from_prediction, V ahead);
     void carry_with_hull(int lane, const PlatformMotion& from, const PlatformMotion& to);
-    void current_at(double t);
+    void current_at(double t, const MotionSpline& platform);
 
     // catenary_lines.cpp
     std::vector<CatenaryElement> catenary_elements(int lane) const;
@@ -245,7 +252,7 @@ class RodPack {
     void update_trial(Mask iterating, V a0, V a1, V part, V limit, V& correction, V& finite);
     void add_point_mass(const PointMass<V>& mass, V a0, V a1, V (&D)[7][7], V (&R)[7]) const;
     void add_slope_law(const SlopeLaw<V>& law, const TrialNode<V>& node, const Vector<V>& axis,
-                       V (&D)[7][7], V (&R)[7], ConstraintLoad<V>& load) const;
+                       V (&D)[7][7], V (&R)[7], ConstraintLoad<V>& load, V on = V(1.0)) const;
 
     // constraints.cpp
     void set_constraints(const Case& input);
@@ -281,11 +288,27 @@ class RodPack {
     template <class Combine>
     void for_points_of(int c, Combine&& combine) const;
 
+    // curves.cpp
+    void set_curves(const Case& input);
+    /// Linearises tension tables about the trial tension; lanes whose last linearisation fits.
+    /// @param before  state before a step of length h; null in statics
+    Mask follow_curves(Mask which, const RodState<V>* before, V h);
+
+    // changes.cpp
+    void set_changes(const Case& input);
+    void pay_out(V t);
+    void part(V t);
+    void part_element(std::size_t e, V a0, V a1);
+
     // water.cpp
-    void refresh_water(double until);
-    void sample_slab(double T, std::size_t slab);
+    void refresh_water(double until, const PlatformMotion& hull);
+    void sample_slab(double T, std::size_t slab, const PlatformMotion& hull);
+    template <class Where, class Needed>
+    int gather_points(Where&& where, Needed&& needed);
+    void shelter_water(V t, const MotionSpline& platform, bool moves);
     void interpolate_water(V t);
-    void current_only(bool current);
+    /// Current alone, where the trial values put the rods; sheltered water stands still.
+    void current_only(bool current, V t, const MotionSpline& platform);
     void scatter_water(Water<V>* to);
 
     // modes.cpp
@@ -316,6 +339,15 @@ class RodPack {
     std::array<Vec6, static_cast<std::size_t>(lanes)> fitted_{};
     double ramp_ = 0.0, platform_step_ = 0.5, wave_step_ = 0.25;
     V line_step_{};
+    std::vector<Curve> curves_;  ///< tension tables, and which one an element of a lane has; or -1
+    std::vector<std::array<int, static_cast<std::size_t>(lanes)>> curve_of_;
+    std::vector<Mask> curved_;
+    bool parts_ = false, winds_ = false, shelters_ = false;
+    V parting_time_{}, parting_element_{}, dead_{};  ///< elements from end B; -1: none
+    Mask lets_go_a_, released_;                      ///< fails at end A; has done so
+    std::vector<WoundLine> winch_;                   ///< per lane
+    std::vector<V> full_length_;                     ///< of the elements, without winch [m]
+    V sheltered_above_{};                            ///< height on the platform [m]
     Mask used_;
     std::vector<std::vector<double>> arc_length_;  ///< per lane, of the nodes from end B to A
 
@@ -360,6 +392,7 @@ class RodPack {
     Vector<V> reaction_a_, reaction_b_, moment_a_, moment_b_;
     V last_D_[7][7];  ///< node at end A before its elimination, for the static stiffness
     ConstraintLoad<V> slope_load_a_, slope_load_b_, spring_load_a_;
+    std::vector<int> slot_;  ///< place of a lane's Gauss point among the samples; -1: none
     std::vector<double> xs_, ys_, zs_, ux_, uy_, uz_, ax_, ay_, az_, eta_;
     WorkCount work_;
 };

@@ -36,7 +36,8 @@ void RodPack<V>::prepare_tangent(double omega) {
     }
     end_a_ = end_values(place_a_, kept_.head().axis_a, V(0.0), still);
     end_b_ = end_values(place_b_, kept_.head().axis_b, V(0.0), still);
-    current_only(false);  // drag without motion has no part in the tangent
+    if (!curves_.empty()) (void)follow_curves(used_, nullptr, V(1.0));
+    current_only(false, V(0.0), still);  // drag without motion has no part in the tangent
     if (!constraints_.empty()) {
         place_constraints(kept_, V(0.0), V(0.0), still, true);
         evaluate_constraints(V(0.0));

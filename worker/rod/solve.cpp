@@ -25,15 +25,27 @@ void RodPack<V>::add_point_mass(const PointMass<V>& mass, V a0, V a1, V (&D)[7][
         for (int k = 0; k <= i; ++k) D[i][k] += S(i, k);
 }
 
+namespace {
+
+template <class V>
+Symmetric<V> scaled(V factor, const Symmetric<V>& S) {
+    Symmetric<V> out;
+    out.add(factor, S);
+    return out;
+}
+
+}  // namespace
+
 template <class V>
 void RodPack<V>::add_slope_law(const SlopeLaw<V>& law, const TrialNode<V>& node,
                                const Vector<V>& axis, V (&D)[7][7], V (&R)[7],
-                               ConstraintLoad<V>& out) const {
+                               ConstraintLoad<V>& out, V on) const {
     if (std::holds_alternative<NoSlopeLaw>(law) || !law_on_) {
         out = {};
         return;
     }
     out = std::visit([&](const auto& l) { return load(l, node.d, axis); }, law);
+    if (parts_) out.force = on * out.force, out.stiffness = scaled(on, out.stiffness);
     R[3] -= out.force.x, R[4] -= out.force.y, R[5] -= out.force.z;
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k <= i; ++k) D[3 + i][3 + k] += out.stiffness(i, k);
@@ -65,6 +77,7 @@ void RodPack<V>::solve(V a0, V a1) {
         ElementSystem<V>& element = element_;
         assemble_element(properties_[e], trial_[e], trial_[e + 1], lambda, material_[e],
                          &water_[e * gauss_points], bed_, a0, a1, element, grip_before(e));
+        if (parts_) part_element(e, a0, a1);
         if (!constraints_.empty()) add_constraints(e, element);
         Middle& middle = middles_[e];
         for (int i = 0; i < 14; ++i) middle.column[i] = element.column[i];
@@ -106,11 +119,16 @@ void RodPack<V>::solve(V a0, V a1) {
         }
     }
     for (; mass != masses_.end(); ++mass) add_point_mass(*mass, a0, a1, D, R);
-    add_slope_law(law_a_, trial_[N], end_a_.axis, D, R, slope_load_a_);
+    const V held_a = select(released_, V(0.0), V(1.0));
+    add_slope_law(law_a_, trial_[N], end_a_.axis, D, R, slope_load_a_, held_a);
     if (place_a_.sprung()) {
         const Vector<V> g = trial_[N].r - end_a_.position, g_rate = trial_[N].v - end_a_.velocity;
         spring_load_a_ =
             std::visit([&](const auto& l) { return load(l, g, g_rate, a1); }, spring_a_);
+        if (parts_) {
+            spring_load_a_.force = held_a * spring_load_a_.force;
+            spring_load_a_.stiffness = scaled(held_a, spring_load_a_.stiffness);
+        }
         R[0] -= spring_load_a_.force.x, R[1] -= spring_load_a_.force.y;
         R[2] -= spring_load_a_.force.z;
         for (int i = 0; i < 3; ++i)
@@ -125,7 +143,32 @@ void RodPack<V>::solve(V a0, V a1) {
     // The node at end A
     V L[7][7], inverse_d[7], z[7];
     V(&d)[7] = correction_[N].x;
-    if (place_a_.prescribed()) {
+    if (place_a_.prescribed() && any(released_)) {
+        // Some lanes' platform end has let go: their node is free, the others' rows are folded into
+        // the reaction as below.
+        V held_rows[3][4], held_R[3];
+        for (int i = 0; i < 3; ++i) {
+            held_R[i] = R[i];
+            R[i] = select(released_, R[i], V(0.0));
+            for (int k = 0; k < 4; ++k) {
+                held_rows[i][k] = D[3 + k][i];
+                D[3 + k][i] = select(released_, D[3 + k][i], V(0.0));
+            }
+            for (int k = 0; k < i; ++k) D[i][k] = select(released_, D[i][k], V(0.0));
+            D[i][i] = select(released_, D[i][i], V(1.0));
+        }
+        factor<0, 7>(D, L, inverse_d);
+        forward<7>(L, R, z);
+        for (int i = 0; i < 7; ++i) z[i] = inverse_d[i] * z[i];
+        backward<7>(L, z, d);
+        V f[3];
+        for (int i = 0; i < 3; ++i) {
+            f[i] = held_R[i];
+            for (int k = 0; k < 4; ++k) f[i] -= held_rows[i][k] * d[3 + k];
+            f[i] = select(released_, V(0.0), f[i]);
+        }
+        reaction_a_ = {f[0], f[1], f[2]};
+    } else if (place_a_.prescribed()) {
         factor<3, 4>(D, L, inverse_d);
         forward<4>(L, R + 3, z);
         for (int i = 0; i < 4; ++i) z[i] = inverse_d[i] * z[i];

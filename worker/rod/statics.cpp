@@ -121,6 +121,8 @@ template <class V>
 auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wanted, double part)
     -> Mask {
     static_ = true;
+    released_ = LaneTraits<V>::none(), dead_ = V(-1.0);  // a line is whole at rest
+    if (winds_) pay_out(kept_.head().t);
     const MotionSpline still(0.0, pose, 0.0, pose);
     const NodeState<V>* node = kept_.nodes();
     for (std::size_t n = 0; n < trial_.size(); ++n)
@@ -141,7 +143,8 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wa
     V polish(0.0);  // two more iterations after the position test settle lambda
     for (int i = 0; i < static_iterations / part && any(iterating); ++i) {
         V correction, finite;
-        current_only(current);
+        current_only(current, V(0.0), still);
+        if (!curves_.empty()) (void)follow_curves(iterating, nullptr, V(1.0));
         if (!constraints_.empty()) {
             friction_on_ = false;
             place_constraints(kept_, V(0.0), V(0.0), still, true);
@@ -161,7 +164,7 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wa
         iterating = sound & !done;
     }
     keep_constraints(solved, V(0.0), kept_, kept_);
-    current_only(current);
+    current_only(current, V(0.0), still);
     if (!constraints_.empty()) {
         place_constraints(kept_, V(0.0), V(0.0), still, true);
         evaluate_constraints(V(0.0));
@@ -215,9 +218,16 @@ void RodPack<V>::finish_statics(Mask good) {
             const Multiplier<V>* l = kept_.lambda() + 2 * e;
             const V lambda = V(shape.P[k][0]) * l[0].now + V(shape.P[k][1]) * l[1].now +
                              V(shape.P[k][2]) * l[2].now;
-            const V T = lambda / (V(1.0) - s * lambda);
+            V T = lambda / (V(1.0) - s * lambda);
+            V spring = T / p.K_damper;
+            if (!curves_.empty()) {  // R:41
+                const Compliance<V>& law = material_[e];
+                const V Tc = lambda * (V(1.0) + law.b[k]) / (V(1.0) - law.s[k] * lambda);
+                T = select(curved_[e], Tc, T);
+                spring = select(curved_[e], law.b[k] + law.s[k] * T - T / p.K_creep, spring);
+            }
             Strain<V>& q = strain[e * gauss_points + k];
-            q.damper = select(good, T / p.K_damper, q.damper);
+            q.damper = select(good, spring, q.damper);
             q.creep = select(good, T / p.K_creep, q.creep);
             q.damper_rate = q.creep_rate = V(0.0);
         }

@@ -130,9 +130,10 @@ void RodPack<V>::accept(Mask accepted, V h, V t_new) {
                             V(shape.P[k][2]) * lambda_[2 * e + 2];
                 const V T = l * (V(1.0) + material_[e].b[k]) /
                             (V(1.0) - min(material_[e].s[k] * l, V(0.5)));
-                const V e1 =
-                    s1 * (p.c_damper * (q.damper * inverse_gh + ratio * q.damper_rate) + T);
+                V e1 = s1 * (p.c_damper * (q.damper * inverse_gh + ratio * q.damper_rate) + T);
                 const V e2 = s2 * (p.c_creep * (q.creep * inverse_half_h + q.creep_rate) + T);
+                if (!curves_.empty())  // R:41: what is left beside the creep
+                    e1 = select(curved_[e], material_[e].b[k] + material_[e].s[k] * T - e2, e1);
                 const V r1 = (e1 - q.damper) * inverse_gh - ratio * q.damper_rate;
                 const V r2 = (e2 - q.creep) * inverse_half_h - q.creep_rate;
                 q.damper = select(accepted, e1, q.damper);
@@ -151,16 +152,22 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
                               Mask& accepted) {
     ++work_.steps;
     const V a0 = scheme_.a0(h), a1 = scheme_.a1(h);
+    if (winds_) pay_out(t_new);
+    if (parts_) part(t_new);
     prepare_material(working_, h);
     interpolate_water(t_new);
     predict(working_, h);
     end_a_ = end_values(place_a_, working_.head().axis_a, t_new, platform);
     end_b_ = end_values(place_b_, working_.head().axis_b, t_new, platform);
-    const auto put = [](TrialNode<V>& node, const EndValues<V>& end) {
-        node.r = end.position, node.v = end.velocity, node.a = end.acceleration;
+    const auto put = [](Mask free, TrialNode<V>& node, const EndValues<V>& end) {
+        node.r = select(free, node.r, end.position);
+        node.v = select(free, node.v, end.velocity);
+        node.a = select(free, node.a, end.acceleration);
     };
-    if (place_a_.prescribed()) put(trial_.back(), end_a_);
-    if (place_b_.prescribed()) put(trial_.front(), end_b_);
+    if (place_a_.prescribed()) put(released_, trial_.back(), end_a_);
+    if (place_b_.prescribed()) put(LaneTraits<V>::none(), trial_.front(), end_b_);
+    if (shelters_) shelter_water(t_new, platform, true);
+    if (!curves_.empty()) (void)follow_curves(active, &working_, h);
 
     if (!constraints_.empty()) {
         friction_on_ = true;
@@ -189,6 +196,10 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
             if (i + 1 < newton.constraint_iterations)
                 converged = converged & (constraint_misfit() <= V(1.0));
         }
+        if (!curves_.empty()) {
+            const Mask fits = follow_curves(iterating, &working_, h);
+            if (i + 1 < newton.max_iterations) converged = converged & fits;
+        }
         accepted = accepted | converged;
         iterating = sound & !converged;
     }
@@ -208,7 +219,7 @@ Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
     static_ = false;
     const double sampled = T::get(kept_.head().wave_index, 0);
     if (sampled < 0.0 || (sampled + 1e-9) * wave_step_ < t0 + platform_step_)
-        refresh_water(t0 + platform_step_);
+        refresh_water(t0 + platform_step_, platform.at(t0).motion);
     working_ = kept_;
     begin_impulses(t1 - t0);
     ++work_.passes;

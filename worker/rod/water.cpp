@@ -4,12 +4,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rod/lane_access.hpp"
 #include "rod/rod_pack.hpp"
 
 namespace hawser::worker {
 
+namespace {
+
+constexpr double shelter_margin = 5.0;  // inside the shelter beyond which nothing is sampled [m]
+
+/// Position of a Gauss point of an element between two nodes, R:7, and its velocity.
+template <class V, class Node>
+Vector<V> point_of(const Node& a, const Node& b, V L, std::size_t g) {
+    return V(shape.A[g][0]) * a.r + V(shape.A[g][1]) * (L * a.d) + V(shape.A[g][2]) * b.r +
+           V(shape.A[g][3]) * (L * b.d);
+}
+template <class V, class Node>
+Vector<V> velocity_of(const Node& a, const Node& b, V L, std::size_t g) {
+    return V(shape.A[g][0]) * a.v + V(shape.A[g][1]) * (L * a.vd) + V(shape.A[g][2]) * b.v +
+           V(shape.A[g][3]) * (L * b.vd);
+}
+
+}  // namespace
+
 template <class V>
-void RodPack<V>::refresh_water(double until) {
+void RodPack<V>::refresh_water(double until, const PlatformMotion& hull) {
     if (!sea_->has_waves() && !sea_->has_current()) return;
     const double t = LaneTraits<V>::get(kept_.head().t, 0);
     // Every sample up to the first grid time at or after `until`, from the kept state.
@@ -17,34 +36,57 @@ void RodPack<V>::refresh_water(double until) {
     const auto first = static_cast<std::int64_t>(std::floor(t / wave_step_ + 1e-9));
     const auto slabs = static_cast<std::int64_t>(kept_.slabs());
     const auto sampled = static_cast<std::int64_t>(LaneTraits<V>::get(kept_.head().wave_index, 0));
+    if (winds_) pay_out(kept_.head().t);
     for (std::int64_t j = std::max(sampled + 1, first); j <= last; ++j)
-        sample_slab(static_cast<double>(j) * wave_step_, static_cast<std::size_t>(j % slabs));
+        sample_slab(static_cast<double>(j) * wave_step_, static_cast<std::size_t>(j % slabs), hull);
     kept_.head().wave_index = V(static_cast<double>(std::max(sampled, last)));
 }
 
 template <class V>
-void RodPack<V>::sample_slab(double T, std::size_t slab) {
+template <class Where, class Needed>
+int RodPack<V>::gather_points(Where&& where, Needed&& needed) {
     using Lane = LaneTraits<V>;
     const std::size_t points = kept_.points();
-    const auto used = lines_.size();
-    const NodeState<V>* node = kept_.nodes();
-    const V ahead = V(T) - kept_.head().t;
+    std::size_t n = 0;
     for (std::size_t e = 0; e < properties_.size(); ++e) {
-        const NodeState<V>&a = node[e], &b = node[e + 1];
-        const V L = properties_[e].L;
         for (std::size_t g = 0; g < gauss_points; ++g) {
-            const V A1(shape.A[g][0]), A2(shape.A[g][1]), A3(shape.A[g][2]), A4(shape.A[g][3]);
-            const Vector<V> r = A1 * a.r + A2 * (L * a.d) + A3 * b.r + A4 * (L * b.d);
-            const Vector<V> v = A1 * a.v + A2 * (L * a.vd) + A3 * b.v + A4 * (L * b.vd);
-            const Vector<V> x = r + ahead * v;
-            for (std::size_t i = 0; i < used; ++i) {
-                const std::size_t k = i * points + e * gauss_points + g;
-                xs_[k] = Lane::get(x.x, static_cast<int>(i));
-                ys_[k] = Lane::get(x.y, static_cast<int>(i));
-                zs_[k] = Lane::get(x.z, static_cast<int>(i));
+            const Vector<V> x = where(e, g);
+            const Mask wanted = needed(e, g);
+            for (std::size_t i = 0; i < lines_.size(); ++i) {
+                int& slot = slot_[i * points + e * gauss_points + g];
+                slot = -1;
+                if (!Lane::get(wanted, static_cast<int>(i))) continue;
+                slot = static_cast<int>(n);
+                xs_[n] = Lane::get(x.x, static_cast<int>(i));
+                ys_[n] = Lane::get(x.y, static_cast<int>(i));
+                zs_[n] = Lane::get(x.z, static_cast<int>(i));
+                ++n;
             }
         }
     }
+    return static_cast<int>(n);
+}
+
+template <class V>
+void RodPack<V>::sample_slab(double T, std::size_t slab, const PlatformMotion& hull) {
+    const NodeState<V>* node = kept_.nodes();
+    const V ahead = V(T) - kept_.head().t;
+    const Vec3 up = rotation(hull.angles).col(2);
+    const V origin(up.dot(hull.position)), deep = sheltered_above_ + V(shelter_margin);
+    const int n = gather_points(
+        [&](std::size_t e, std::size_t g) {
+            const V L = properties_[e].L;
+            return point_of(node[e], node[e + 1], L, g) +
+                   ahead * velocity_of(node[e], node[e + 1], L, g);
+        },
+        [&](std::size_t e, std::size_t g) {
+            if (!shelters_) return used_;
+            const V L = properties_[e].L;
+            const Vector<V> r = point_of(node[e], node[e + 1], L, g);
+            const V height = V(up.x()) * r.x + V(up.y()) * r.y + V(up.z()) * r.z - origin -
+                             V(gauss_weight[g]) * L;
+            return used_ & (height < deep);
+        });
     const WaterKinematics out{.ux = ux_.data(),
                               .uy = uy_.data(),
                               .uz = uz_.data(),
@@ -52,7 +94,6 @@ void RodPack<V>::sample_slab(double T, std::size_t slab) {
                               .ay = ay_.data(),
                               .az = az_.data(),
                               .eta = eta_.data()};
-    const auto n = static_cast<int>(used * points);
     sea_->sample(T, n, xs_.data(), ys_.data(), zs_.data(), out);
     work_.water_samples += n;
     scatter_water(kept_.water(slab));
@@ -66,12 +107,50 @@ void RodPack<V>::scatter_water(Water<V>* to) {
         const std::size_t source =
             static_cast<std::size_t>(i) < lines_.size() ? static_cast<std::size_t>(i) : 0;
         for (std::size_t p = 0; p < points; ++p) {
-            const std::size_t k = source * points + p;
+            const int slot = slot_[source * points + p];
+            const bool none = slot < 0;
+            const auto k = static_cast<std::size_t>(none ? 0 : slot);
+            const auto put = [&](V& v, const std::vector<double>& from) {
+                Lane::set(v, i, none ? 0.0 : from[k]);
+            };
             Water<V>& w = to[p];
-            Lane::set(w.u.x, i, ux_[k]), Lane::set(w.u.y, i, uy_[k]);
-            Lane::set(w.u.z, i, uz_[k]), Lane::set(w.ud.x, i, ax_[k]);
-            Lane::set(w.ud.y, i, ay_[k]), Lane::set(w.ud.z, i, az_[k]);
-            Lane::set(w.eta, i, eta_[k]);
+            put(w.u.x, ux_), put(w.u.y, uy_), put(w.u.z, uz_);
+            put(w.ud.x, ax_), put(w.ud.y, ay_), put(w.ud.z, az_);
+            put(w.eta, eta_);
+        }
+    }
+}
+
+template <class V>
+void RodPack<V>::shelter_water(V t, const MotionSpline& platform, bool moves) {
+    // Where a point lies above `sheltered_above` on the platform the water is the platform's: its
+    // velocity and acceleration there (K:5), no wave, no current, calm surface. The section a point
+    // stands for crosses the border gradually, like the free surface in R:18.
+    Vector<V> origin, up, velocity, spin, acceleration, spin_rate;
+    for (int i = 0; i < lanes; ++i) {
+        const MotionSpline::Sample now = platform.at(LaneTraits<V>::get(t, i));
+        const PlatformMotion& m = now.motion;
+        set_lane_vector(origin, i, m.position);
+        set_lane_vector(up, i, rotation(m.angles).col(2));
+        if (!moves) continue;
+        set_lane_vector(velocity, i, m.velocity);
+        set_lane_vector(spin, i, angular_velocity(m));
+        set_lane_vector(acceleration, i, now.acceleration.position);
+        set_lane_vector(spin_rate, i,
+                        angular_velocity_matrix(m.angles) * now.acceleration.angles +
+                            angular_velocity_matrix_rate(m.angles, m.angle_rates) * m.angle_rates);
+    }
+    for (std::size_t e = 0; e < properties_.size(); ++e) {
+        const V L = properties_[e].L;
+        for (std::size_t g = 0; g < gauss_points; ++g) {
+            const Vector<V> l = point_of(trial_[e], trial_[e + 1], L, g) - origin;
+            const V piece = properties_[e].D + V(gauss_weight[g]) * L;
+            const V in = min(max(V(0.5) + (dot(l, up) - sheltered_above_) / piece, V(0.0)), V(1.0));
+            if (!any(in > V(0.0))) continue;
+            Water<V>& w = water_[e * gauss_points + g];
+            w.u += in * (velocity + cross(spin, l) - w.u);
+            w.ud += in * (acceleration + cross(spin_rate, l) + cross(spin, cross(spin, l)) - w.ud);
+            w.eta -= in * w.eta;
         }
     }
 }
@@ -123,27 +202,16 @@ void RodPack<V>::interpolate_water(V t) {
 }
 
 template <class V>
-void RodPack<V>::current_only(bool current) {
+void RodPack<V>::current_only(bool current, V t, const MotionSpline& platform) {
     if (!current || !sea_->has_current()) {
         std::fill(water_.begin(), water_.end(), Water<V>{});
         return;
     }
-    using Lane = LaneTraits<V>;
-    const std::size_t points = kept_.points();
-    for (std::size_t e = 0; e < properties_.size(); ++e) {
-        const TrialNode<V>&a = trial_[e], &b = trial_[e + 1];
-        const V L = properties_[e].L;
-        for (std::size_t g = 0; g < gauss_points; ++g) {
-            const Vector<V> x = V(shape.A[g][0]) * a.r + V(shape.A[g][1]) * (L * a.d) +
-                                V(shape.A[g][2]) * b.r + V(shape.A[g][3]) * (L * b.d);
-            for (std::size_t i = 0; i < lines_.size(); ++i) {
-                const std::size_t k = i * points + e * gauss_points + g;
-                xs_[k] = Lane::get(x.x, static_cast<int>(i));
-                ys_[k] = Lane::get(x.y, static_cast<int>(i));
-                zs_[k] = Lane::get(x.z, static_cast<int>(i));
-            }
-        }
-    }
+    const int n = gather_points(
+        [&](std::size_t e, std::size_t g) {
+            return point_of(trial_[e], trial_[e + 1], properties_[e].L, g);
+        },
+        [&](std::size_t, std::size_t) { return used_; });
     const WaterKinematics out{.ux = ux_.data(),
                               .uy = uy_.data(),
                               .uz = uz_.data(),
@@ -151,16 +219,18 @@ void RodPack<V>::current_only(bool current) {
                               .ay = ay_.data(),
                               .az = az_.data(),
                               .eta = eta_.data()};
-    sea_->sample_current(static_cast<int>(lines_.size() * points), xs_.data(), ys_.data(),
-                         zs_.data(), out);
+    sea_->sample_current(n, xs_.data(), ys_.data(), zs_.data(), out);
     scatter_water(water_.data());
+    if (shelters_) shelter_water(t, platform, false);
 }
 
-template void RodPack<Single>::refresh_water(double);
+template void RodPack<Single>::refresh_water(double, const PlatformMotion&);
 template void RodPack<Single>::interpolate_water(Single);
-template void RodPack<Single>::current_only(bool);
-template void RodPack<Quad>::refresh_water(double);
+template void RodPack<Single>::shelter_water(Single, const MotionSpline&, bool);
+template void RodPack<Single>::current_only(bool, Single, const MotionSpline&);
+template void RodPack<Quad>::refresh_water(double, const PlatformMotion&);
 template void RodPack<Quad>::interpolate_water(Quad);
-template void RodPack<Quad>::current_only(bool);
+template void RodPack<Quad>::shelter_water(Quad, const MotionSpline&, bool);
+template void RodPack<Quad>::current_only(bool, Quad, const MotionSpline&);
 
 }  // namespace hawser::worker

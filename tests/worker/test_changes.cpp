@@ -64,7 +64,8 @@ TEST(Failure, AtEndALetsThePlatformGo) {
         }
     }
     EXPECT_LT(rod.node_position(0, 0).z(), high - 100.0);
-    for (int n = 0; n <= 32; ++n) EXPECT_LT(rod.node_position(0, n).z(), -149.0) << n;  // all lies
+    // all lies, in folds that elements of 10 m arch over
+    for (int n = 0; n <= 32; ++n) EXPECT_LT(rod.node_position(0, n).z(), -145.0) << n;
 }
 
 TEST(Failure, AtANodeBothPartsGoOn) {
@@ -78,8 +79,8 @@ TEST(Failure, AtANodeBothPartsGoOn) {
     const double wet = (150 - 1025 * 0.02) * 9.80665;
     EXPECT_NEAR(rod.tension_a(0), 75 * wet, 0.01 * 75 * wet);
     EXPECT_NEAR(rod.node_position(0, 7).z(), -10 - 70, 0.5);
-    for (int n = 8; n <= 32; ++n) EXPECT_LT(rod.node_position(0, n).z(), -149.0) << n;
-    EXPECT_NEAR(rod.tension_b(0), 0.0, 0.02 * 75 * wet);
+    for (int n = 8; n <= 32; ++n) EXPECT_LT(rod.node_position(0, n).z(), -145.0) << n;
+    EXPECT_LT(std::abs(rod.tension_b(0)), 0.3 * 32 * wet);  // what friction holds, ten times less
     // far apart: nothing joins them
     EXPECT_GT((rod.node_position(0, 7) - rod.node_position(0, 8)).norm(), 60.0);
 }
@@ -95,9 +96,10 @@ TEST(Failure, IsTheSameInEveryPassAndLeavesNeighboursAlone) {
     const PlatformMotion still;
     const auto step = [&](RodPack<Quad>& pack, int k, bool often) {
         const double t = 0.5 * k;
-        if (often)
+        if (often) {
             for (const double H : {0.25, 0.25, 0.5})
                 ASSERT_TRUE(pack.pass(t, t + H, MotionSpline(t, still, t + H, still)).ok());
+        }
         ASSERT_TRUE(pack.pass(t, t + 0.5, MotionSpline(t, still, t + 0.5, still)).ok());
         pack.keep();
     };
@@ -154,9 +156,11 @@ TEST(Winch, TensionOfATautLineFollowsItsLength) {  // T = EA (l - L)/L
                 }).ok());
 }
 
-/// Vertical rod under a platform, neutral in the water, in waves and current.
+constexpr double excess = 50.0;  // of the mass over that of the water [kg/m]
+
+/// Vertical rod under a platform, in waves and current.
 Case riser_in_hull(std::optional<double> above) {
-    LineType type = plain_type(1025 * 0.05, 1e9, 1e7);
+    LineType type = plain_type(1025 * 0.05 + excess, 1e9, 1e10);
     type.displaced_area = 0.05, type.outer_diameter = 0.25, type.added_mass_normal = 1.0;
     type.drag_diameter = 0.25, type.drag_normal = 1.2, type.drag_axial = 0.1;
     LineEnd top;
@@ -171,7 +175,8 @@ Case riser_in_hull(std::optional<double> above) {
 }
 
 TEST(Shelter, WaterMovesWithTheHull) {
-    // wholly sheltered and neutral: the hull's acceleration of the water carries it, no force
+    // wholly sheltered: the accelerated water carries the mass that it displaces, the support the
+    // rest
     Case input = riser_in_hull(-60.0);
     const Sea sea(input.environment, 0.0, 0.0);
     RodPack<Quad> rod(input, sea, {0});
@@ -189,9 +194,12 @@ TEST(Shelter, WaterMovesWithTheHull) {
         const double t0 = 0.5 * k, t1 = t0 + 0.5;
         ASSERT_TRUE(rod.pass(t0, t1, MotionSpline(t0, hull(t0), t1, hull(t1))).ok());
         rod.keep();
-        // the inertia of 2 t moved at 0.7 m/s2 would be 1.5 kN
-        EXPECT_LT(rod.force_on_support_a(0).norm(), 15.0) << t1;
-        EXPECT_NEAR(rod.node_position(0, 8).x() - rod.node_position(0, 0).x(), 0.0, 1e-3);
+        const Vec3 a(-0.72 * std::sin(0.6 * t1), 0, -0.25 * std::sin(0.5 * t1));
+        const Vec3 exact = -excess * 40 * (a + Vec3(0, 0, 9.80665));
+        // 1.4 kN of 2 t; of 6 t with the water's part it would be 4.3 kN. The spline's acceleration
+        // is right to 1 %, the tip swings by millimetres.
+        EXPECT_LT((rod.force_on_support_a(0) - exact).norm(), 60.0) << t1;
+        EXPECT_NEAR(rod.node_position(0, 8).x() - rod.node_position(0, 0).x(), 0.0, 0.02);
     }
     EXPECT_EQ(rod.work().water_samples, 0);  // no wave is looked at there
 }
@@ -204,16 +212,16 @@ TEST(Shelter, BelowItTheSeaIsFelt) {
     ASSERT_TRUE(sheltered.equilibrium({}, true).ok());
     // drag of the current on 40 and on 20 m
     const double full = in_the_open.force_on_support_a(0).head<2>().norm();
-    EXPECT_NEAR(full, 0.5 * 1025 * 1.2 * 0.25 * 40, 0.03 * full);
+    EXPECT_NEAR(full, 0.5 * 1025 * 1.2 * 0.25 * 40, 0.03 * full);  // the tip leans by 1 deg
     EXPECT_NEAR(sheltered.force_on_support_a(0).head<2>().norm(), 0.5 * full, 0.03 * full);
     ASSERT_TRUE(run(in_the_open, 1.0, 0.5).ok());
     ASSERT_TRUE(run(sheltered, 1.0, 0.5).ok());
     // nothing is sampled more than 5 m and a point's piece above the border
-    EXPECT_LT(sheltered.work().water_samples, 0.75 * in_the_open.work().water_samples);
-    EXPECT_GT(sheltered.work().water_samples, 0.5 * in_the_open.work().water_samples);
-    // the sheltered points' water is the resting hull's
-    RodPack<Quad> beside(half, sea, {0});
-    ASSERT_TRUE(beside.equilibrium({}, true).ok());
+    const auto samples = [](const RodPack<Quad>& rod) {
+        return static_cast<double>(rod.work().water_samples);
+    };
+    EXPECT_LT(samples(sheltered), 0.75 * samples(in_the_open));
+    EXPECT_GT(samples(sheltered), 0.5 * samples(in_the_open));
 }
 
 }  // namespace

@@ -32,11 +32,9 @@ void RodPack<V>::set_curves(const Case& input) {
         for (std::size_t e = 0; e < properties_.size(); ++e) {
             const auto section = static_cast<std::size_t>(mesh.section[properties_.size() - 1 - e]);
             const auto type = static_cast<std::size_t>(line.sections[section].type);
-            Curve curve = input.line_types[type].EA_curve;
+            const Curve& curve = input.line_types[type].EA_curve;
             if (curve.empty()) continue;
-            if (curve.front()[0] > 0.0) curve.insert(curve.begin(), {0.0, 0.0});
-            curve_of_[e][lane] = static_cast<int>(curves_.size());
-            if (curves_.empty() || curves_.back() != curve) curves_.push_back(std::move(curve));
+            if (curves_.empty() || curves_.back() != curve) curves_.push_back(curve);
             curve_of_[e][lane] = static_cast<int>(curves_.size()) - 1;
             T::set(curved_[e], i, true);
         }

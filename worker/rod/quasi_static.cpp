@@ -1,6 +1,7 @@
-// Quasi-static lines (README.md of worker, "Line models"): the same rods, nodes and constraints with a = v = 0. A
-// pass is one static solution at its end: current drag alone, no waves; what remembers goes on, the
-// creep of a rope by one step R:4 of the pass's length, the friction springs by the way slid in it.
+// Quasi-static lines (README.md of worker, "Line models"): the same rods, nodes and constraints
+// with a = v = 0. A pass is one static solution at its end: current drag alone, no waves; what
+// remembers goes on, the creep of a rope by one step R:4 of the pass's length, the friction springs
+// by the way slid in it.
 #include <algorithm>
 #include <array>
 

@@ -244,7 +244,7 @@ template void RodPack<Single>::add_point_mass(const PointMass<Single>&, Single, 
                                               Single (&)[7][7], Single (&)[7]) const;
 template void RodPack<Single>::add_slope_law(const SlopeLaw<Single>&, const TrialNode<Single>&,
                                              const Vector<Single>&, Single (&)[7][7], Single (&)[7],
-                                             ConstraintLoad<Single>&) const;
+                                             ConstraintLoad<Single>&, Single) const;
 template void RodPack<Single>::solve(Single, Single);
 template void RodPack<Single>::update_trial(Single::Mask, Single, Single, Single, Single, Single&,
                                             Single&);
@@ -252,7 +252,7 @@ template void RodPack<Quad>::add_point_mass(const PointMass<Quad>&, Quad, Quad, 
                                             Quad (&)[7]) const;
 template void RodPack<Quad>::add_slope_law(const SlopeLaw<Quad>&, const TrialNode<Quad>&,
                                            const Vector<Quad>&, Quad (&)[7][7], Quad (&)[7],
-                                           ConstraintLoad<Quad>&) const;
+                                           ConstraintLoad<Quad>&, Quad) const;
 template void RodPack<Quad>::solve(Quad, Quad);
 template void RodPack<Quad>::update_trial(Quad::Mask, Quad, Quad, Quad, Quad, Quad&, Quad&);
 

@@ -99,9 +99,10 @@ std::string dry_run(const Case& input, int ranks) {
 
     double sample = sizeof(double), snapshot = sizeof(double);
     for (const io::SeriesField& field : io::result_fields(input, nodes))
-        (field.clock == io::Clock::sample ? sample : snapshot) +=
-            field.width() *
-            static_cast<double>(field.single_precision ? sizeof(float) : sizeof(double));
+        if (field.clock != io::Clock::latest)
+            (field.clock == io::Clock::sample ? sample : snapshot) +=
+                field.width() *
+                static_cast<double>(field.single_precision ? sizeof(float) : sizeof(double));
     const double samples = std::floor(dynamics.duration / input.output.interval + 1e-9) + 1.0;
     text += fmt::format("\noutput\n  {:.0f} samples of {}", samples, megabytes(sample));
     double bytes = samples * sample;

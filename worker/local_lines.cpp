@@ -38,8 +38,10 @@ void LocalLines::send(const Order& order) {
     order_ = order;
     if (order.keep_previous)
         for (RodPack<Quad>& pack : packs_) pack.keep();
-    if (order.sample) samples_.put_ends(packs_);
+    if (order.keep_previous || order.sample) samples_.watch(packs_, order.t0);
+    if (order.sample) samples_.put_sample(packs_);
     if (order.snapshot) samples_.put_nodes(packs_);
+    if (order.write_segment) samples_.put_latest(packs_);
 }
 
 const Reply& LocalLines::receive() {

@@ -14,7 +14,6 @@ io::RankTimes worker_loop(const io::Link& link, Lines& lines, io::SeriesWriter* 
     double cpu = 0.0, idle = 0.0;
     std::vector<double> message;
     for (bool more = true; more;) {
-        if (running) idle = wall_seconds();
         OrderMessage sent{};
         link.broadcast(sent);
         const Order order = unpack(sent);
@@ -42,9 +41,10 @@ io::RankTimes worker_loop(const io::Link& link, Lines& lines, io::SeriesWriter* 
                 more = false;
                 break;
         }
-        if (running) {
+        if (running) {  // all of the time loop, and nothing after it, as rank 0 counts
             times.waited += start - idle;
-            times.busy += wall_seconds() - start;
+            idle = more ? wall_seconds() : start;
+            times.busy += idle - start;
         }
         if (more) link.gather(message, {}, {});
     }

@@ -8,6 +8,7 @@
 
 #include "case/declared.hpp"
 #include "case/line_checks.hpp"
+#include "line_quantities.hpp"
 
 namespace hawser {
 namespace {
@@ -235,18 +236,46 @@ class Checks {
                 warning(fmt::format("output.lines[{}].select", i),
                         fmt::format("no line has a name like \"{}\"", select));
             }
+            line_output(i);
         }
     }
 
-    /// Glob with * and ?.
-    static bool matches(std::string_view pattern, std::string_view name) {
-        if (pattern.empty()) return name.empty();
-        if (pattern[0] == '*') {
-            return matches(pattern.substr(1), name) ||
-                   (!name.empty() && matches(pattern, name.substr(1)));
+    void line_output(std::size_t i) {
+        const LineOutput& entry = case_.output.lines[i];
+        const std::string path = fmt::format("output.lines[{}]", i);
+        double longest = 0.0;
+        for (const Line& line : case_.lines)
+            if (matches(entry.select, line.name)) longest = std::max(longest, line.length());
+        if (longest == 0.0) return;
+        for (const double s : entry.at_arc) {
+            if (s > longest)
+                error(path + ".at_arc",
+                      fmt::format("{:.6g} m lies beyond the end of the longest of these lines, "
+                                  "{:.6g} m",
+                                  s, longest));
         }
-        return !name.empty() && (pattern[0] == '?' || pattern[0] == name[0]) &&
-               matches(pattern.substr(1), name.substr(1));
+        const auto along_line = [](const std::string& word) {
+            return std::any_of(line_quantities.begin(), line_quantities.end(),
+                               [&](const LineQuantityWords& q) { return word == q.name; });
+        };
+        if (!entry.at_arc.empty() &&
+            std::none_of(entry.results.begin(), entry.results.end(), along_line))
+            warning(path + ".at_arc",
+                    "nothing is recorded there: \"results\" names no quantity along the line");
+        for (const std::string& word : entry.results) {
+            const auto* constraint =
+                std::find_if(constraint_words.begin(), constraint_words.end(),
+                             [&](const ConstraintWord& c) { return c.word == word; });
+            if (constraint == constraint_words.end()) continue;
+            bool found = false;
+            for (const Line& line : case_.lines)
+                for (const LineConstraint& c : line.constraints)
+                    found =
+                        found || (matches(entry.select, line.name) && c.type == constraint->type);
+            if (!found)
+                warning(path + ".results",
+                        fmt::format("{}: none of these lines has such a constraint", word));
+        }
     }
 
     const Case& case_;

@@ -1,6 +1,7 @@
 #include "case/output.hpp"
 
 #include "case/declared.hpp"
+#include "line_quantities.hpp"
 
 namespace hawser {
 namespace {
@@ -19,6 +20,19 @@ Key& chosen_words(Keys<LineOutput>& k, const std::string& name,
     return key;
 }
 
+std::vector<std::string> quantity_words() {
+    std::vector<std::string> words;
+    for (const LineQuantityWords& q : line_quantities) words.emplace_back(q.name);
+    return words;
+}
+
+std::vector<std::string> result_words() {
+    std::vector<std::string> words = quantity_words();
+    words.insert(words.end(), {"force", "moment", "touchdown", "touchdown.arc_length"});
+    for (const ConstraintWord& c : constraint_words) words.emplace_back(c.word);
+    return words;
+}
+
 const Table& line_output_keys() {
     static const Table table = [] {
         Keys<LineOutput> k("lines");
@@ -26,16 +40,28 @@ const Table& line_output_keys() {
         k.words("at", {{"end_a", &LineOutput::end_a}, {"end_b", &LineOutput::end_b}},
                 "Where along the line")
             .def("[end_a]");
-        chosen_words(k, "results", &LineOutput::results,
-                     {"effective_tension", "declination", "azimuth", "force", "moment"},
-                     "What is recorded there, of constraints and of the touchdown")
-            .later_words({"wall_tension", "axial_strain", "curvature", "bend_moment", "shear_force",
-                          "von_mises_stress", "axial_stress", "bending_stress", "seabed_force",
-                          "touchdown.arc_length", "tensioner.tension", "tensioner.stroke",
-                          "guide.force"})
+        Key& places = k.custom(
+            "at_arc", Form::numbers, {dimension::length},
+            "Further places, arc lengths from end A; the quantities in `results` are recorded "
+            "there",
+            [](LineOutput& output, const Value& value) {
+                output.at_arc = std::get<std::vector<double>>(value);
+            },
+            [](const LineOutput& output) -> Value {
+                if (output.at_arc.empty()) return {};
+                return output.at_arc;
+            });
+        places.fewest = 1;
+        places.most = 1000;
+        places.at_least(0).eg("[1500 m, 1650 m]");
+        chosen_words(k, "results", &LineOutput::results, result_words(),
+                     "What is recorded at the ends and places; of constraints; of the touchdown")
             .def("[effective_tension]");
-        k.later("at_arc", "Places along the line");
-        k.later("range", "Least, mean and greatest value along the line");
+        chosen_words(k, "range", &LineOutput::range, quantity_words(),
+                     "Quantities of which least, mean, greatest value and standard deviation along "
+                     "the line are kept")
+            .def("[]")
+            .eg("[effective_tension, von_mises_stress]");
         return k.done();
     }();
     return table;

@@ -44,6 +44,7 @@ ResultDigest write_result(const fs::path& folder, const RunRecord& record) {
     join_fields(file, segments, fields, times);
     if (!input.lines.empty()) {
         write_lines(file, input);
+        write_places(file, input);
         write_line_views(file, input, fields);
     }
     if (record.statics) write_statics(file, input, *record.statics);
@@ -58,8 +59,14 @@ ResultDigest write_result(const fs::path& folder, const RunRecord& record) {
     digest.samples = static_cast<std::int64_t>(times.sample.size());
     digest.snapshots = static_cast<std::int64_t>(times.snapshot.size());
     digest.lines = line_starts(file, record);
+    digest.courses = line_courses(file, input);
+    if (file.exists(std::string(mismatch_path))) {
+        const std::vector<double> values = file.read(std::string(mismatch_path));
+        for (const ConstraintOfLine& c : constraints_of(input))
+            digest.mismatch.emplace_back(c.name, values[digest.mismatch.size()]);
+    }
     const double from = input.analysis.dynamics.statistics_from;
-    digest.statistics = result_statistics(file, input, from);
+    digest.statistics = result_statistics(file, input, fields, from);
     write_statistics(file, digest.statistics, from);
 
     file.close();

@@ -2,6 +2,7 @@
 // result.h5 and adds what does not depend on time. Paths and shapes: README.md, "Results".
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "adjustment.hpp"
 #include "case/case.hpp"
 #include "io/hdf5.hpp"
+#include "io/line_fields.hpp"
 #include "ledger.hpp"
 #include "statistics.hpp"
 
@@ -51,18 +53,32 @@ struct ChannelStatistics {
     Statistics values;
 };
 
-/// State of one line at the start, from the records of t = 0; NaN where they were not recorded.
+/// State of one line at the start; NaN where a run did not get so far.
 struct LineStart {
     double end_a_tension, end_b_tension;          ///< effective [N]
     double end_a_declination, end_b_declination;  ///< [deg]
-    double grounded;  ///< length on the seabed, between nodes that touch it [m]
+    double grounded;                              ///< length in contact with the seabed [m]
+    double touchdown;  ///< arc length of its first contact with the seabed [m]; NaN: none
+};
+
+/// A greatest or least value along a line, where and when [m, s]; NaN: the line has no such thing.
+struct Extreme {
+    double value, arc_length, time;
+};
+
+/// What a line went through in the whole run.
+struct LineCourse {
+    std::array<Extreme, line_extremes.size()> extremes;  ///< in the order of line_extremes
+    double slack_limit = 0.0, slack_duration = 0.0, slack_first = 0.0;  ///< [N, s, s]
 };
 
 /// What the joined result tells the summary.
 struct ResultDigest {
     std::vector<ChannelStatistics> statistics;
     std::vector<LineStart> lines;
-    double last_time = 0.0;  ///< of the samples [s]
+    std::vector<LineCourse> courses;                       ///< one per line
+    std::vector<std::pair<std::string, double>> mismatch;  ///< constraint, R:40
+    double last_time = 0.0;                                ///< of the samples [s]
     std::int64_t samples = 0, snapshots = 0;
 };
 
@@ -70,8 +86,10 @@ struct ResultDigest {
 /// segments are deleted. Rank 0 alone. After a failure the segments are still there.
 ResultDigest write_result(const std::filesystem::path& folder, const RunRecord& record);
 
-/// Statistics of motions, environment and end tensions, t >= from [s].
+/// Statistics of motions, environment and all numbers recorded of lines and constraints (but
+/// azimuths), t >= from [s].
 std::vector<ChannelStatistics> result_statistics(const Hdf5File& result, const Case& input,
+                                                 const std::vector<SeriesField>& fields,
                                                  double from);
 
 }  // namespace hawser::io

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "io/result_fields.hpp"
@@ -6,28 +7,6 @@
 #include "line_mesh.hpp"
 
 namespace hawser::io {
-namespace {
-
-/// Length between neighbouring nodes of which both touch the seabed.
-double grounded_length(const Case& input, const Line& line, std::span<const double> position) {
-    const LineMesh mesh = mesh_of(line);
-    const auto touches = [&](std::size_t node) {
-        const std::size_t element = std::min(node, mesh.section.size() - 1);
-        const int section = mesh.section[element];
-        const int type = line.sections[static_cast<std::size_t>(section)].type;
-        const double radius = 0.5 * input.line_types[static_cast<std::size_t>(type)].outer_diameter;
-        constexpr double millimetre = 1e-3;  // single precision at 1500 m of depth: 0.1 mm
-        return position[3 * node + 2] <= -input.environment.seabed.depth + radius + millimetre;
-    };
-    double length = 0.0;
-    for (std::size_t e = 0; e + 1 < mesh.arc_length.size(); ++e) {
-        if (touches(e) && touches(e + 1)) length += mesh.arc_length[e + 1] - mesh.arc_length[e];
-    }
-    return length;
-}
-
-}  // namespace
-
 void write_lines(Hdf5File& file, const Case& input) {
     std::vector<std::string> names, families;
     std::vector<std::int64_t> first{0};
@@ -65,69 +44,106 @@ void write_line_views(Hdf5File& file, const Case& input, const std::vector<Serie
         view(root + "nodes/arc_length", "/lines/nodes/arc_length", {nodes}, {{node}, {nodes}},
              nullptr);
         for (const SeriesField& field : fields) {
+            if (!file.exists(field.path)) continue;
             const std::uint64_t rows = file.dataset(field.path).shape().at(0);
-            if (rows == 0) continue;
-            if (field.path == "/lines/nodes/position") {
+            if (field.path == "/lines/nodes/position" && rows > 0)
                 view(root + "nodes/position", field.path, {rows, nodes, 3},
                      {{0, node, 0}, {rows, nodes, 3}}, &field);
-            }
-            for (const bool end_a : {true, false}) {
-                for (const EndResult result : end_results) {
-                    if (field.path != end_path(end_a, result) ||
-                        !is_recorded(input.output, line.name, end_a, result))
-                        continue;
-                    const std::string path =
-                        root + field.path.substr(std::string("/lines/").size());
-                    if (field.shape.size() == 1) {
-                        view(path, field.path, {rows}, {{0, i}, {rows, 1}}, &field);
-                    } else {
-                        view(path, field.path, {rows, 3}, {{0, i, 0}, {rows, 1, 3}}, &field);
-                    }
-                }
+        }
+        for (const LineQuantity q : range_quantities(input)) {
+            if (!is_in_range(input.output, line.name, q)) continue;
+            for (const std::string_view statistic : range_statistics) {
+                const std::string source = range_path(q, statistic);
+                const auto field =
+                    std::find_if(fields.begin(), fields.end(),
+                                 [&](const SeriesField& f) { return f.path == source; });
+                if (file.exists(source))
+                    view(root + source.substr(std::string("/lines/").size()), source, {nodes},
+                         {{node}, {nodes}}, &*field);
             }
         }
         node += nodes;
     }
+    for (const LineChannel& channel : line_channels(input, fields)) {
+        const SeriesField& field = *channel.field;
+        const std::uint64_t rows = file.dataset(field.path).shape().at(0);
+        if (rows == 0) continue;
+        const auto column = static_cast<std::uint64_t>(channel.column / channel.width);
+        if (channel.width == 1) {
+            file.write_virtual(channel.path, {rows}, field.path, {{0, column}, {rows, 1}});
+        } else {
+            file.write_virtual(channel.path, {rows, 3}, field.path, {{0, column, 0}, {rows, 1, 3}});
+        }
+        describe(file, channel.path, field.units, field.description);
+    }
+}
+
+void write_places(Hdf5File& file, const Case& input) {
+    const std::vector<LinePlace> places = recorded_places(input);
+    if (!places.empty()) {
+        std::vector<std::string> names;
+        std::vector<double> arc_length;
+        for (const LinePlace& place : places) {
+            names.push_back(input.lines[static_cast<std::size_t>(place.line)].name);
+            arc_length.push_back(place.arc_length);
+        }
+        file.write_texts("/lines/at/line", names);
+        describe(file, "/lines/at/line", "", "Lines of the places at which results are recorded");
+        write_numbers(file, "/lines/at/arc_length", arc_length, {arc_length.size()}, "m",
+                      "Unstretched arc length of these places from end A");
+    }
+    const std::vector<ConstraintOfLine> constraints = constraints_of(input);
+    if (constraints.empty()) return;
+    std::vector<std::string> names;
+    for (const ConstraintOfLine& c : constraints) names.push_back(c.name);
+    file.write_texts("/constraints/names", names);
+    describe(file, "/constraints/names", "",
+             "Constraints along the lines, <line>/<constraint>, in the order of their results");
 }
 
 std::vector<LineStart> line_starts(const Hdf5File& file, const RunRecord& record) {
-    const Case& input = record.input;
+    const std::size_t n = record.input.lines.size();
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    std::vector<LineStart> starts(n, {nan, nan, nan, nan, nan, nan});
+    constexpr std::array<double LineStart::*, start_results.size()> members{
+        &LineStart::end_b_tension, &LineStart::end_a_declination, &LineStart::end_b_declination,
+        &LineStart::grounded, &LineStart::touchdown};
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        const std::string path = start_path(start_results[k]);
+        if (!file.exists(path)) continue;
+        const std::vector<double> row = file.read(path);
+        for (std::size_t i = 0; i < n; ++i) starts[i].*members[k] = row[i];
+    }
+    if (record.statics && record.statics->end_a_tension.size() == n)
+        for (std::size_t i = 0; i < n; ++i)
+            starts[i].end_a_tension = record.statics->end_a_tension[i];
+    return starts;
+}
+
+std::vector<LineCourse> line_courses(const Hdf5File& file, const Case& input) {
     const std::size_t n = input.lines.size();
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    std::vector<LineStart> starts(n, {nan, nan, nan, nan, nan});
-    const auto take = [&](bool end_a, EndResult result, double LineStart::*where) {
-        const std::string path = end_path(end_a, result);
-        if (!file.exists(path)) return;
-        const Hdf5Dataset data = file.dataset(path);
-        if (data.shape().at(0) == 0) return;
-        std::vector<double> row(n);
-        data.read_rows(0, 1, row.data());
-        for (std::size_t i = 0; i < n; ++i) starts[i].*where = row[i];
-    };
-    take(true, EndResult::effective_tension, &LineStart::end_a_tension);
-    take(false, EndResult::effective_tension, &LineStart::end_b_tension);
-    take(true, EndResult::declination, &LineStart::end_a_declination);
-    take(false, EndResult::declination, &LineStart::end_b_declination);
-    if (record.statics && record.statics->end_a_tension.size() == n) {
+    std::vector<LineCourse> courses(n);
+    for (LineCourse& c : courses) {
+        for (Extreme& e : c.extremes) e = {nan, nan, nan};
+        c.slack_limit = c.slack_first = nan;
+    }
+    for (std::size_t k = 0; k < line_extremes.size(); ++k) {
+        const std::string path = extreme_path(line_extremes[k]);
+        if (!file.exists(path)) continue;
+        const std::vector<double> rows = file.read(path);
+        for (std::size_t i = 0; i < n; ++i)
+            courses[i].extremes[k] = {rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]};
+    }
+    if (file.exists(extreme_path("slack"))) {
+        const std::vector<double> rows = file.read(extreme_path("slack"));
         for (std::size_t i = 0; i < n; ++i) {
-            starts[i].end_a_tension = record.statics->end_a_tension[i];
+            courses[i].slack_limit = rows[3 * i];
+            courses[i].slack_duration = rows[3 * i + 1];
+            courses[i].slack_first = rows[3 * i + 2];
         }
     }
-    if (file.exists("/lines/nodes/position")) {
-        const Hdf5Dataset data = file.dataset("/lines/nodes/position");
-        if (data.shape().at(0) > 0) {
-            std::vector<double> position(data.shape().at(1) * 3);
-            data.read_rows(0, 1, position.data());
-            std::size_t at = 0;
-            for (std::size_t i = 0; i < n; ++i) {
-                const std::size_t count = 3 * mesh_of(input.lines[i]).arc_length.size();
-                starts[i].grounded =
-                    grounded_length(input, input.lines[i], std::span(position).subspan(at, count));
-                at += count;
-            }
-        }
-    }
-    return starts;
+    return courses;
 }
 
 }  // namespace hawser::io

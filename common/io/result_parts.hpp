@@ -35,6 +35,9 @@ void join_fields(Hdf5File& file, const std::vector<std::filesystem::path>& segme
 void write_lines(Hdf5File& file, const Case& input);
 /// /line/<name>/...: per line the columns that were asked for, as virtual datasets.
 void write_line_views(Hdf5File& file, const Case& input, const std::vector<SeriesField>& fields);
+/// Where /lines/at/* stand and whose /constraints/* are.
+void write_places(Hdf5File& file, const Case& input);
+std::vector<LineCourse> line_courses(const Hdf5File& file, const Case& input);
 std::vector<LineStart> line_starts(const Hdf5File& file, const RunRecord& record);
 
 // result_tables.cpp: equilibrium, statistics, ledger

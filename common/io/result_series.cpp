@@ -79,6 +79,7 @@ void join_fields(Hdf5File& file, const std::vector<std::filesystem::path>& segme
     std::vector<GrowingField> growing;
     growing.reserve(fields.size());
     for (const SeriesField& field : fields) {
+        if (field.clock == Clock::latest) continue;
         growing.emplace_back(
             file, field,
             field.clock == Clock::sample ? times.sample.size() : times.snapshot.size());
@@ -88,6 +89,16 @@ void join_fields(Hdf5File& file, const std::vector<std::filesystem::path>& segme
         for (GrowingField& field : growing) field.append(segment);
     }
     for (GrowingField& field : growing) field.finish();
+    if (segments.empty()) return;
+    const Hdf5File last = Hdf5File::open(segments.back());
+    for (const SeriesField& field : fields) {
+        if (field.clock != Clock::latest) continue;
+        std::vector<double> row(static_cast<std::size_t>(field.width()));
+        last.dataset(field.path).read_rows(0, 1, row.data());
+        Extent shape;
+        for (const int k : field.shape) shape.push_back(static_cast<std::uint64_t>(k));
+        write_numbers(file, field.path, row, shape, field.units, field.description);
+    }
 }
 
 }  // namespace hawser::io

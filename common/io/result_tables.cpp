@@ -14,6 +14,7 @@ constexpr double degrees = 180.0 / std::numbers::pi;
 }  // namespace
 
 std::vector<ChannelStatistics> result_statistics(const Hdf5File& result, const Case& input,
+                                                 const std::vector<SeriesField>& fields,
                                                  double from) {
     std::vector<ChannelStatistics> rows;
     const std::vector<double> time = result.read("/time");
@@ -34,16 +35,10 @@ std::vector<ChannelStatistics> result_statistics(const Hdf5File& result, const C
         const std::string path = std::string("environment/") + name;
         if (result.exists("/" + path)) add(path, units, "/" + path, 0);
     }
-    for (const bool end_a : {true, false}) {
-        const std::string path = end_path(end_a, EndResult::effective_tension);
-        if (!result.exists(path)) continue;
-        for (std::size_t i = 0; i < input.lines.size(); ++i) {
-            const std::string& line = input.lines[i].name;
-            if (!is_recorded(input.output, line, end_a, EndResult::effective_tension)) continue;
-            add("line/" + line + (end_a ? "/end_a" : "/end_b") + "/effective_tension", "N", path,
-                i);
-        }
-    }
+    for (const LineChannel& channel : line_channels(input, fields))
+        if (channel.in_statistics)
+            add(channel.path.substr(1), channel.field->units, channel.field->path,
+                static_cast<std::uint64_t>(channel.column));
     return rows;
 }
 

@@ -59,6 +59,12 @@ std::string json_text(const std::string& text) {
 /// A JSON number; JSON has no NaN and no infinity.
 std::string json_number(double x) { return std::isfinite(x) ? fmt::format("{}", x) : "null"; }
 
+std::string host_name() {
+    std::array<char, 256> name{};
+    if (::gethostname(name.data(), name.size() - 1) != 0) return "";
+    return name.data();
+}
+
 const char* name_of(RunState::State state) {
     switch (state) {
         case RunState::State::running:
@@ -112,9 +118,9 @@ bool stop_requested(const fs::path& folder) {
 std::string to_json(const RunState& s) {
     return fmt::format(
         "{{\"state\": \"{}\", \"exit_code\": {}, \"message\": {}, \"t\": {}, \"saved_to\": {}, "
-        "\"wall_s\": {}}}\n",
+        "\"wall_s\": {}, \"pid\": {}, \"host\": {}}}\n",
         name_of(s.state), static_cast<int>(s.exit_code), json_text(s.message), json_number(s.t),
-        json_number(s.saved_to), json_number(s.wall_s));
+        json_number(s.saved_to), json_number(s.wall_s), ::getpid(), json_text(host_name()));
 }
 
 void write_status(const fs::path& folder, const RunState& state) {

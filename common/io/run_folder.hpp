@@ -33,6 +33,8 @@ struct RunState {
     double wall_s = 0.0;
 };
 
+/// With the process and the host that wrote it: a state "running" of a process that is gone means
+/// that the run was killed.
 std::string to_json(const RunState& state);
 /// Writes status.json so that a reader sees the old or the new one, whole.
 void write_status(const std::filesystem::path& folder, const RunState& state);

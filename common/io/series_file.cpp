@@ -64,12 +64,15 @@ void SeriesWriter::provide(int field, std::vector<int> columns) {
     assert(std::adjacent_find(columns.begin(), columns.end()) == columns.end());
     assert(columns.empty() || columns.back() < fields_[static_cast<std::size_t>(field)].width());
     buffer.columns = std::move(columns);
+    if (fields_[static_cast<std::size_t>(field)].clock == Clock::latest)
+        buffer.values.assign(buffer.columns.size(), not_a_number);
 }
 
 void SeriesWriter::reserve(int samples, int snapshots) {
     sample_times_.reserve(static_cast<std::size_t>(samples));
     snapshot_times_.reserve(static_cast<std::size_t>(snapshots));
     for (std::size_t i = 0; i < fields_.size(); ++i) {
+        if (fields_[i].clock == Clock::latest) continue;
         const int rows = fields_[i].clock == Clock::sample ? samples : snapshots;
         const std::size_t n = static_cast<std::size_t>(rows) * buffers_[i].columns.size();
         if (fields_[i].single_precision) {
@@ -138,9 +141,10 @@ void SeriesWriter::write_segment() {
     }
     ++segments_;
     saved_to_ = last_time();
-    for (Buffer& b : buffers_) {
-        b.values.clear();
-        b.singles.clear();
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+        if (fields_[i].clock == Clock::latest) continue;
+        buffers_[i].values.clear();
+        buffers_[i].singles.clear();
     }
     sample_times_.clear();
     snapshot_times_.clear();
@@ -179,9 +183,9 @@ void SeriesWriter::write_pending(Hdf5File& file) {
     }
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         const SeriesField& field = fields_[i];
-        const std::vector<double>& t = times(field.clock);
-        if (t.empty()) continue;
-        Extent shape{t.size()};
+        const std::size_t rows = field.clock == Clock::latest ? 1 : times(field.clock).size();
+        if (rows == 0) continue;
+        Extent shape{rows};
         for (const int k : field.shape) shape.push_back(static_cast<std::uint64_t>(k));
         Hdf5Dataset data = file.create_dataset(
             field.path, {.shape = shape, .single_precision = field.single_precision});

@@ -18,8 +18,9 @@ namespace hawser::io {
 class Hdf5File;
 class Link;
 
-/// Which clock a field ticks on: `/time` or `/snapshot_time`.
-enum class Clock { sample, snapshot };
+/// Which clock a field ticks on: `/time` or `/snapshot_time`; or none: of `latest` each segment
+/// holds what was put last, and the joined result what the last segment has.
+enum class Clock { sample, snapshot, latest };
 
 /// A result that is recorded over time. All ranks declare the same fields in the same order.
 struct SeriesField {
@@ -57,7 +58,8 @@ class SeriesWriter {
 
     /// Opens the next sample of a clock; every rank calls it, with the same t [s].
     void add_time(Clock clock, double t);
-    /// This rank's columns of a field at the time just added. Columns not put are NaN.
+    /// This rank's columns of a field at the time just added, or its latest. Columns not put are
+    /// NaN.
     void put(int field, std::span<const double> values);
 
     /// Collective: writes all pending samples as one segment. When it returns they are on disk

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -97,33 +98,113 @@ std::string lines_text(const RunRecord& record, const ResultDigest& digest) {
     for (const Line& line : input.lines)
         names.push_back(line.name), families.push_back(line.family);
     const std::size_t name = widest(4, names), family = widest(6, families);
-    out += fmt::format("{:<{}}  {:<{}} {:>10} {:>10} {:>10} {:>10} {:>8} {:>8} {:>9}\n", "", name,
-                       "", family, "length", "submerged", "tension", "tension", "angle", "angle",
-                       "on the");
+    const auto row = [&](const std::array<const char*, 10>& w) {
+        return fmt::format("{:<{}}  {:<{}} {:>10} {:>10} {:>10} {:>10} {:>8} {:>8} {:>9} {:>9}\n",
+                           w[0], name, w[1], family, w[2], w[3], w[4], w[5], w[6], w[7], w[8],
+                           w[9]);
+    };
+    out += row({"", "", "length", "submerged", "tension", "tension", "angle", "angle", "on the",
+                "touches"});
     out +=
-        fmt::format("{:<{}}  {:<{}} {:>10} {:>10} {:>10} {:>10} {:>8} {:>8} {:>9}\n", "line", name,
-                    "family", family, "", "weight", "end A", "end B", "end A", "end B", "seabed");
-    out += fmt::format("{:<{}}  {:<{}} {:>10} {:>10} {:>10} {:>10} {:>8} {:>8} {:>9}\n", "", name,
-                       "", family, "m", "kN", "kN", "kN", "deg", "deg", "m");
+        row({"line", "family", "", "weight", "end A", "end B", "end A", "end B", "seabed", "at"});
+    out += row({"", "", "m", "kN", "kN", "kN", "deg", "deg", "m", "m"});
     for (std::size_t i = 0; i < input.lines.size(); ++i) {
         const Line& line = input.lines[i];
         const LineStart& s = digest.lines.at(i);
-        out += fmt::format("{:<{}}  {:<{}} {}{}{}{}{}{}{}\n", line.name, name, line.family, family,
-                           cell(line.length(), 10, 1),
+        out += fmt::format("{:<{}}  {:<{}} {}{}{}{}{}{}{}{}\n", line.name, name, line.family,
+                           family, cell(line.length(), 10, 1),
                            cell(submerged_weight(line, input) / 1e3, 11, 1),
                            cell(s.end_a_tension / 1e3, 11, 1), cell(s.end_b_tension / 1e3, 11, 1),
                            cell(s.end_a_declination, 9, 2), cell(s.end_b_declination, 9, 2),
-                           cell(s.grounded, 10, 1));
+                           cell(s.grounded, 10, 1), cell(s.touchdown, 10, 1));
     }
     for (const Adjustment& a : record.adjustments) out += note_of(a, input) + "\n";
-    out += "angle: from vertical down, of the line as it leaves end A and as it arrives at end B\n";
+    out +=
+        "angle: from vertical down, of the line as it leaves end A and as it arrives at end B; "
+        "touches: arc length from end A\n";
     return out;
 }
 
+/// What the lines went through: extremes with place and time, utilisation, slack.
+std::string courses_text(const RunRecord& record, const ResultDigest& digest) {
+    const Case& input = record.input;
+    if (digest.courses.empty() || digest.samples == 0) return "";
+    std::string out = heading("Lines over the whole run");
+    std::vector<std::string> names;
+    for (const Line& line : input.lines) names.push_back(line.name);
+    const std::size_t name = widest(4, names);
+    out += fmt::format("{:<{}}{:>30}{:>30}{:>30}{:>9}{:>9}\n", "", name, "least tension",
+                       "greatest tension", "von Mises stress", "of", "of");
+    out += fmt::format("{:<{}}{:>12}{:>9}{:>9}{:>12}{:>9}{:>9}{:>12}{:>9}{:>9}{:>9}{:>9}\n", "line",
+                       name, "kN", "at m", "at s", "kN", "at m", "at s", "MPa", "at m", "at s",
+                       "breaking", "yield");
+    std::vector<std::string> flags;
+    for (std::size_t i = 0; i < digest.courses.size(); ++i) {
+        const LineCourse& c = digest.courses[i];
+        const auto place = [](const Extreme& e, double scale) {
+            return cell(scale * e.value, 12, 1) + cell(e.arc_length, 9, 1) + cell(e.time, 9, 1);
+        };
+        const auto& [least, greatest, stress, of_yield, of_breaking] = c.extremes;
+        out += fmt::format("{:<{}}{}{}{}{}{}\n", names[i], name, place(least, 1e-3),
+                           place(greatest, 1e-3), place(stress, 1e-6),
+                           cell(of_breaking.value, 9, 3), cell(of_yield.value, 9, 3));
+        if (of_breaking.value > 1.0)
+            flags.push_back(fmt::format("{}: above its breaking load at {:.1f} m, t = {:g} s",
+                                        names[i], of_breaking.arc_length, of_breaking.time));
+        if (of_yield.value > 1.0)
+            flags.push_back(fmt::format("{}: above yield at {:.1f} m, t = {:g} s", names[i],
+                                        of_yield.arc_length, of_yield.time));
+        if (least.value < 0.0)
+            flags.push_back(fmt::format("{}: compression of {:.1f} kN at {:.1f} m, t = {:g} s",
+                                        names[i], -least.value / 1e3, least.arc_length,
+                                        least.time));
+        if (std::isfinite(c.slack_first))
+            flags.push_back(fmt::format(
+                "{}: slack (below {:.1f} kN somewhere) for {:g} s in all, first at t = {:g} s, "
+                "least tension at {:.1f} m",
+                names[i], c.slack_limit / 1e3, c.slack_duration, c.slack_first, least.arc_length));
+    }
+    out +=
+        "effective tensions; of breaking, of yield: greatest utilisation, where the case gives "
+        "these; places without tension at the start do not count as least\n";
+    for (const std::string& flag : flags) out += "! " + flag + "\n";
+    const auto worst =
+        std::max_element(digest.mismatch.begin(), digest.mismatch.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (worst != digest.mismatch.end() && std::isfinite(worst->second))
+        out += fmt::format(
+            "impulse mismatch between line and platform at constraints: {:.2g} %, at "
+            "{}{}\n",
+            100.0 * worst->second, worst->first,
+            worst->second > 0.01 ? "; above 1 % use quadratic_fit" : "");
+    return out;
+}
+
+/// Units for people, and how much larger they are.
+struct Shown {
+    std::string units;
+    double scale;
+    int decimals;
+};
+Shown shown(const std::string& units) {
+    if (units == "N") return {"kN", 1e-3, 1};
+    if (units == "N.m") return {"kN.m", 1e-3, 1};
+    if (units == "Pa") return {"MPa", 1e-6, 2};
+    if (units == "1/m") return {"1/km", 1e3, 4};
+    if (units == "1") return {"", 1.0, 5};
+    return {units, 1.0, 3};
+}
+
 std::string statistics_text(const RunRecord& record, const ResultDigest& digest) {
+    const double from = record.input.analysis.dynamics.statistics_from;
+    if (digest.statistics.empty()) return "";
+    if (std::all_of(digest.statistics.begin(), digest.statistics.end(),
+                    [](const ChannelStatistics& row) { return row.values.n == 0; }))
+        return heading("Statistics") +
+               fmt::format("none: they begin at {:g} s, the run ended at {:g} s\n", from,
+                           digest.last_time);
     std::string out =
-        heading(fmt::format("Statistics from {:g} s to {:g} s",
-                            record.input.analysis.dynamics.statistics_from, digest.last_time));
+        heading(fmt::format("Statistics from {:g} s to {:g} s", from, digest.last_time));
     std::vector<std::string> names;
     for (const ChannelStatistics& row : digest.statistics) names.push_back(row.channel);
     const std::size_t width = widest(7, names);
@@ -131,17 +212,12 @@ std::string statistics_text(const RunRecord& record, const ResultDigest& digest)
                        width, "unit", "mean", "std", "min", "at s", "max", "at s", "Tz s");
     for (const ChannelStatistics& row : digest.statistics) {
         const Statistics& s = row.values;
-        const bool force = row.units == "N";
-        const double scale = force ? 1e-3 : 1.0;
-        const int decimals = force ? 1 : 3;
-        out += fmt::format("{:<{}} {:>4} {} {} {} {} {} {} {}\n", row.channel, width,
-                           force ? "kN" : row.units, cell(scale * s.mean, 11, decimals),
-                           cell(scale * s.std, 10, decimals), cell(scale * s.min, 11, decimals),
-                           cell(s.t_min, 9, 1), cell(scale * s.max, 11, decimals),
-                           cell(s.t_max, 9, 1), cell(s.tz, 8, 2));
-    }
-    if (!digest.statistics.empty() && digest.statistics.front().values.n == 0) {
-        out += "the run ended before the statistics begin\n";
+        const auto [units, scale, decimals] = shown(row.units);
+        out +=
+            fmt::format("{:<{}} {:>4} {} {} {} {} {} {} {}\n", row.channel, width, units,
+                        cell(scale * s.mean, 11, decimals), cell(scale * s.std, 10, decimals),
+                        cell(scale * s.min, 11, decimals), cell(s.t_min, 9, 1),
+                        cell(scale * s.max, 11, decimals), cell(s.t_max, 9, 1), cell(s.tz, 8, 2));
     }
     return out;
 }
@@ -235,6 +311,7 @@ std::string summary_text(const RunRecord& record, const ResultDigest& digest) {
     out += environment_text(input);
     out += platform_text(record);
     out += lines_text(record, digest);
+    out += courses_text(record, digest);
     out += statistics_text(record, digest);
     if (record.ledger) out += ledger_text(*record.ledger);
     out += performance_text(record);

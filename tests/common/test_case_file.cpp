@@ -335,6 +335,24 @@ TEST(TrussSpar, ThePapersCaseDiffersInTheSchemeAlone) {
     EXPECT_TRUE(recommended == paper);
 }
 
+TEST(CaseFile, OutputNamesPlacesRangesAndConstraints) {
+    const fs::path chain = source / "tests/common/cases/accepted/chain.yml";
+    const Case c = read(chain, {{"output.lines",
+                                 "[{select: chain, at: [end_b], at_arc: [50 m, 0.1 km], "
+                                 "results: [curvature, touchdown, guide.force], "
+                                 "range: [effective_tension, seabed_force]}, {at_arc: 7}]"}});
+    ASSERT_EQ(c.output.lines.size(), 2U);
+    const LineOutput& first = c.output.lines[0];
+    EXPECT_FALSE(first.end_a);
+    EXPECT_TRUE(first.end_b);
+    EXPECT_EQ(first.at_arc, (std::vector<double>{50.0, 100.0}));
+    EXPECT_EQ(first.results, (std::vector<std::string>{"curvature", "touchdown", "guide.force"}));
+    EXPECT_EQ(first.range, (std::vector<std::string>{"effective_tension", "seabed_force"}));
+    EXPECT_EQ(c.output.lines[1].at_arc, std::vector<double>{7.0});
+    EXPECT_EQ(c.output.lines[1].results, std::vector<std::string>{"effective_tension"});
+    EXPECT_TRUE(c.output.lines[1].range.empty());
+}
+
 TEST(CaseFile, ValuesCanBeSet) {
     const Case c = read(spar, {{"environment.waves[0].Hs", "12 m"},
                                {"parameters.heading", "15 deg"},

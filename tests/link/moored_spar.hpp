@@ -60,11 +60,12 @@ inline Case moored_spar() {
     c.output.interval = 0.5;
     c.output.snapshots = 1.0;
     c.output.platform_loads = true;
-    c.output.lines = {{.select = "*",
+    c.output.lines = {{.select = "*", .end_b = true, .results = {"effective_tension", "force"}},
+                      {.select = "ml*",
                        .end_b = true,
-                       .at_arc = {},
-                       .results = {"effective_tension", "force"},
-                       .range = {}}};
+                       .at_arc = {200.0, 480.0},
+                       .results = {"effective_tension", "seabed_force", "curvature", "touchdown"},
+                       .range = {"effective_tension", "seabed_force"}}};
     return c;
 }
 

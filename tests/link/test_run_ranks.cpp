@@ -50,13 +50,30 @@ TEST(RunOnRanks, GivesTheBitsOfARunAlone) {
         ASSERT_EQ(run(input, by_itself, alone), ExitCode::done);
         const io::Hdf5File a = io::Hdf5File::open(together / "result.h5");
         const io::Hdf5File b = io::Hdf5File::open(by_itself / "result.h5");
-        for (const char* path :
-             {"/time", "/snapshot_time", "/platform/spar/position", "/platform/spar/velocity",
-              "/platform/spar/acceleration", "/platform/spar/loads/lines",
-              "/platform/spar/loads/members", "/platform/spar/loads/total",
-              "/environment/elevation", "/lines/end_a/effective_tension",
-              "/lines/end_b/effective_tension", "/lines/end_a/force", "/lines/nodes/position",
-              "/ledger/spar/mean", "/ledger/spar/residual"})
+        for (const char* path : {"/time",
+                                 "/snapshot_time",
+                                 "/platform/spar/position",
+                                 "/platform/spar/velocity",
+                                 "/platform/spar/acceleration",
+                                 "/platform/spar/loads/lines",
+                                 "/platform/spar/loads/members",
+                                 "/platform/spar/loads/total",
+                                 "/environment/elevation",
+                                 "/lines/end_a/effective_tension",
+                                 "/lines/end_b/effective_tension",
+                                 "/lines/end_a/force",
+                                 "/lines/nodes/position",
+                                 "/lines/at/effective_tension",
+                                 "/lines/at/seabed_force",
+                                 "/lines/end_b/curvature",
+                                 "/lines/touchdown/arc_length",
+                                 "/lines/range/effective_tension/std",
+                                 "/lines/range/effective_tension/at_maximum",
+                                 "/lines/range/seabed_force/max",
+                                 "/lines/extremes/effective_tension_min",
+                                 "/statics/lines/touchdown",
+                                 "/ledger/spar/mean",
+                                 "/ledger/spar/residual"})
             expect_same_bits(a, b, path);
         // and it moved: this is not the same still water twice
         const std::vector<double> surge = a.dataset("/platform/spar/position").read_column(0);

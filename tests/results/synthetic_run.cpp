@@ -1,7 +1,9 @@
 #include "synthetic_run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "io/result_fields.hpp"
 #include "io/series_file.hpp"
@@ -11,7 +13,6 @@ namespace hawser::test {
 namespace {
 
 using io::Clock;
-using io::EndResult;
 using std::numbers::pi;
 
 Vec3 platform_at(const Case& input, double t) {
@@ -141,14 +142,27 @@ Case synthetic_spar(double duration) {
         line.end_b.kind = EndKind::anchor;
         line.end_b.position = 1517.0 * out - 1500.0 * Vec3::UnitZ();
         line.sections = {{2, 1250.0, 12}, {2, 750.0, 16}, {2, 400.0, 4}};
+        if (i == 0) {  // what a top-tensioned riser would have
+            line.constraints = {{.type = ConstraintType::tensioner, .name = "ram"},
+                                {.type = ConstraintType::guide, .name = "keel"}};
+        }
         c.lines.push_back(line);
     }
+    for (LineType& type : c.line_types) type.breaking_load = 20e6;
+    c.line_types[2].wall =
+        PipeWall{.outer_diameter = 0.324, .inner_diameter = 0.284, .yield = 448e6};
     c.output.snapshots = 2.0;
     LineOutput all, more;
     more.select = "ml*";
     more.end_b = true;
     more.results = {"effective_tension", "declination", "azimuth", "force"};
-    c.output.lines = {all, more};
+    LineOutput risers_too;
+    risers_too.select = "scr*";
+    risers_too.results = {"von_mises_stress", "touchdown", "tensioner.tension", "tensioner.stroke",
+                          "guide.force"};
+    risers_too.at_arc = {1480.0, 1550.0};
+    risers_too.range = {"effective_tension", "von_mises_stress"};
+    c.output.lines = {all, more, risers_too};
     return c;
 }
 
@@ -173,6 +187,81 @@ Case synthetic_chain(double duration) {
     return c;
 }
 
+namespace {
+
+/// Line that a channel of line_channels belongs to.
+std::size_t line_of(const Case& input, const io::LineChannel& channel) {
+    const std::size_t start = channel.path.find('/', 1) + 1;
+    const std::string name = channel.path.substr(start, channel.path.find('/', start) - start);
+    std::size_t i = 0;
+    while (input.lines[i].name != name) ++i;
+    return i;
+}
+
+void put_channel(const Case& input, const io::LineChannel& channel, double t,
+                 std::vector<double>& values) {
+    const std::string& path = channel.path;
+    const std::size_t i = line_of(input, channel);
+    const double wave = std::sin(2 * pi * t / 15.1 + static_cast<double>(i));
+    const double T =
+        tension_at(input, i, t) * (path.find("/end_b/") == std::string::npos ? 1 : 0.85);
+    if (channel.width == 3) {
+        values.insert(values.end(), {T, 0.5 * T, -T});
+    } else if (path.ends_with("effective_tension")) {
+        values.push_back(T);
+    } else if (path.ends_with("declination")) {
+        values.push_back(55.0);
+    } else if (path.ends_with("azimuth")) {
+        values.push_back(input.lines[i].azimuth * 180 / pi);
+    } else if (path.ends_with("von_mises_stress")) {
+        values.push_back(90e6 + 25e6 * wave);
+    } else if (path.ends_with("touchdown/arc_length")) {
+        values.push_back(0.62 * input.lines[i].length() + 18.0 * wave);
+    } else if (path.ends_with("/stroke")) {
+        values.push_back(1.2 * wave);
+    } else if (path.ends_with("/tension")) {
+        values.push_back(5338e3 + 176e3 * wave);
+    } else if (path.ends_with("/force")) {
+        values.push_back(std::max(0.0, 300e3 * (wave - 0.6)));
+    } else {
+        values.push_back(wave);
+    }
+}
+
+/// A `latest` field: numbers per line, or per node.
+void put_latest(const Case& input, const io::SeriesField& field, std::size_t i,
+                const std::vector<double>& arc, double t, std::vector<double>& values) {
+    const Line& line = input.lines[i];
+    const double L = line.length();
+    if (field.path.starts_with("/lines/range/") && !field.path.ends_with("time_of_maximum")) {
+        const bool stress = field.path.find("stress") != std::string::npos;
+        const double mean = stress ? 60e6 : tension_at(input, i, 0.0);
+        for (const double s : arc) {
+            const double bump = std::exp(-std::pow((s / L - 0.62) / 0.05, 2));
+            const double x = mean * (1.0 - 0.4 * s / L + (stress ? bump : 0.0));
+            double factor = 1.0;
+            if (field.path.ends_with("/max") || field.path.ends_with("/at_maximum")) factor = 1.3;
+            if (field.path.ends_with("/min")) factor = 0.8;
+            if (field.path.ends_with("/std")) factor = 0.1;
+            values.push_back(field.path.find("/t_m") != std::string::npos ? t : factor * x);
+        }
+    } else if (field.path.ends_with("grounded_length")) {
+        values.push_back(line.sections.back().length);
+    } else if (field.path.ends_with("touchdown")) {
+        values.push_back(L - line.sections.back().length);
+    } else if (field.path.ends_with("declination")) {
+        values.push_back(55.0);
+    } else if (field.path.ends_with("slack")) {
+        values.insert(values.end(), {25e3, 0.0, std::nan("")});
+    } else if (field.shape.size() == 2) {
+        values.insert(values.end(), {0.9 * tension_at(input, i, t), 0.25 * L, t});
+    } else {
+        values.push_back(0.85 * tension_at(input, i, 0.0));
+    }
+}
+
+}  // namespace
+
 void record_synthetic(const std::filesystem::path& folder, const Case& input, io::Link& link,
                       int samples_per_segment, const std::function<void(int)>& after_segment) {
     std::vector<int> nodes;
@@ -182,37 +271,49 @@ void record_synthetic(const std::filesystem::path& folder, const Case& input, io
         nodes.push_back(static_cast<int>(meshes.back().arc_length.size()));
     }
     io::SeriesWriter writer(folder, io::result_fields(input, nodes), link);
+    const std::vector<io::LineChannel> channels = io::line_channels(input, writer.fields());
 
+    // Everything of the platform belongs to rank 0; of the lines, whole lines to their rank.
     std::vector<std::size_t> mine;
     for (std::size_t i = 0; i < input.lines.size(); ++i) {
         if (static_cast<int>(i * 7 % static_cast<std::size_t>(link.size())) == link.rank())
             mine.push_back(i);
     }
-    // Everything of the platform belongs to rank 0; of the lines, whole lines to their rank.
+    const auto is_mine = [&](std::size_t i) {
+        return std::find(mine.begin(), mine.end(), i) != mine.end();
+    };
+    const int all_nodes = std::accumulate(nodes.begin(), nodes.end(), 0);
+    const auto of_nodes = [&](const io::SeriesField& field) {
+        return field.shape == std::vector<int>{all_nodes} || field.path == "/lines/nodes/position";
+    };
+    const auto is_of_lines = [](const io::SeriesField& field) {
+        return field.path.starts_with("/lines") || field.path.starts_with("/statics/lines") ||
+               field.path.starts_with("/constraints");
+    };
+    const auto is_of_constraints = [](const io::SeriesField& field) {
+        return field.path.starts_with("/constraints") && field.clock == Clock::latest;
+    };
     for (std::size_t f = 0; f < writer.fields().size(); ++f) {
         const io::SeriesField& field = writer.fields()[f];
         std::vector<int> columns;
-        if (field.path == "/lines/nodes/position") {
+        if (!is_of_lines(field) || is_of_constraints(field)) {
+            for (int k = 0; k < field.width() && link.rank() == 0; ++k) columns.push_back(k);
+        } else if (of_nodes(field)) {
+            const int inner = field.width() / all_nodes;
             for (const std::size_t i : mine) {
-                int first = 0;
-                for (std::size_t k = 0; k < i; ++k) first += 3 * nodes[k];
-                for (int k = 0; k < 3 * nodes[i]; ++k) columns.push_back(first + k);
+                const int first =
+                    inner * std::accumulate(nodes.begin(), nodes.begin() + static_cast<int>(i), 0);
+                for (int k = 0; k < inner * nodes[i]; ++k) columns.push_back(first + k);
             }
-        } else if (field.path.starts_with("/lines")) {
-            const bool end_a = field.path.find("/end_a/") != std::string::npos;
-            for (const std::size_t i : mine) {
-                for (const EndResult result : io::end_results) {
-                    if (field.path != io::end_path(end_a, result) ||
-                        !io::is_recorded(input.output, input.lines[i].name, end_a, result))
-                        continue;
-                    const int inner = field.shape.size() == 2 ? 3 : 1;
-                    for (int k = 0; k < inner; ++k) {
-                        columns.push_back(inner * static_cast<int>(i) + k);
-                    }
-                }
-            }
-        } else if (link.rank() == 0) {
-            for (int k = 0; k < field.width(); ++k) columns.push_back(k);
+        } else if (field.clock == Clock::latest) {
+            const int inner = field.width() / static_cast<int>(input.lines.size());
+            for (const std::size_t i : mine)
+                for (int k = 0; k < inner; ++k) columns.push_back(inner * static_cast<int>(i) + k);
+        } else {
+            for (const io::LineChannel& channel : channels)
+                for (int k = 0; k < channel.width; ++k)
+                    if (channel.field == &field && is_mine(line_of(input, channel)))
+                        columns.push_back(channel.column + k);
         }
         writer.provide(static_cast<int>(f), columns);
     }
@@ -231,7 +332,6 @@ void record_synthetic(const std::filesystem::path& folder, const Case& input, io
             const io::SeriesField& field = writer.fields()[f];
             if (field.clock == Clock::snapshot && !snapshot) continue;
             values.clear();
-            const bool end_a = field.path.find("/end_a/") != std::string::npos;
             if (field.path == "/lines/nodes/position") {
                 for (const std::size_t i : mine) {
                     for (const double s : meshes[i].arc_length) {
@@ -240,29 +340,14 @@ void record_synthetic(const std::filesystem::path& folder, const Case& input, io
                         values.insert(values.end(), r.data(), r.data() + 3);
                     }
                 }
-            } else if (field.path.starts_with("/lines")) {
-                for (const std::size_t i : mine) {
-                    for (const EndResult result : io::end_results) {
-                        if (field.path != io::end_path(end_a, result) ||
-                            !io::is_recorded(input.output, input.lines[i].name, end_a, result))
-                            continue;
-                        const double T = tension_at(input, i, t) * (end_a ? 1.0 : 0.85);
-                        switch (result) {
-                            case EndResult::effective_tension:
-                                values.push_back(T);
-                                break;
-                            case EndResult::declination:
-                                values.push_back(55.0);
-                                break;
-                            case EndResult::azimuth:
-                                values.push_back(input.lines[i].azimuth * 180 / pi);
-                                break;
-                            case EndResult::force:
-                            case EndResult::moment:
-                                values.insert(values.end(), {T, 0.5 * T, -T});
-                                break;
-                        }
-                    }
+            } else if (is_of_lines(field) && !is_of_constraints(field)) {
+                if (field.clock == Clock::latest) {
+                    for (const std::size_t i : mine)
+                        put_latest(input, field, i, meshes[i].arc_length, t, values);
+                } else {
+                    for (const io::LineChannel& channel : channels)
+                        if (channel.field == &field && is_mine(line_of(input, channel)))
+                            put_channel(input, channel, t, values);
                 }
             } else if (link.rank() == 0) {
                 const Vec3 x = platform_at(input, t), q = angles_at(input, t);
@@ -274,6 +359,8 @@ void record_synthetic(const std::filesystem::path& folder, const Case& input, io
                 } else if (field.path == "/environment/wind_speed") {
                     values = {55.8 + 6.0 * std::sin(2 * pi * t / 71.0) +
                               2.0 * std::sin(2 * pi * t / 13.0)};
+                } else if (field.clock == Clock::latest) {
+                    values.assign(static_cast<std::size_t>(field.width()), 0.004);
                 } else {
                     for (int k = 0; k < field.width(); ++k) values.push_back(std::sin(0.1 * t + k));
                 }

@@ -46,7 +46,9 @@ class InAFolder(unittest.TestCase):
 class Figures(InAFolder):
     def test_plot_draws_what_each_kind_of_run_recorded(self):
         figures = {
-            "spar": {"motions", "environment", "tensions", "offset", "system", "ledger"},
+            "spar": {"motions", "environment", "tensions", "offset", "system", "ledger",
+                     "range_effective_tension", "range_von_mises_stress", "touchdown",
+                     "constraints"},
             "decay": {"motions", "decay", "ledger"},
             "chain": {"tensions", "lines"},
         }

@@ -328,6 +328,9 @@ Grounding Recovery<V>::grounding(const RodPack<V>& rod, int lane) const {
             before = after;
         }
     }
+    // An end that is held at the height of the bed is in contact by half a diameter: no touchdown.
+    if (out.grounded < 2.0 * T::get(rod.properties()[0].D, lane))
+        out = {.touchdown = nan, .position = Vec3::Constant(nan)};
     return out;
 }
 

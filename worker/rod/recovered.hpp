@@ -61,7 +61,8 @@ class Recovery {
     [[nodiscard]] Recovered<Single> at(const RodPack<V>& rod, const RodPlace& place) const;
 
     /// Where the rod first comes nearer to the bed than its radius, on its own cubic between nodes:
-    /// it moves steadily with the rod.
+    /// it moves steadily with the rod. Contact over less than two diameters, at an end that is held
+    /// at the height of the bed, is none.
     [[nodiscard]] Grounding grounding(const RodPack<V>& rod, int lane) const;
 
  private:

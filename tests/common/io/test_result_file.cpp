@@ -89,6 +89,45 @@ TEST(Result, LeavesColumnsThatNobodyAskedForEmpty) {
     EXPECT_TRUE(file.exists("/line/ml1/end_a/force"));
 }
 
+TEST(Result, ShowsPlacesTouchdownAndConstraintsUnderTheirNames) {
+    const Case input = test::synthetic_spar(10.0);
+    const test::Folder folder;
+    finish(folder.path, input, 1000);
+    const Hdf5File file = Hdf5File::open(folder.path / "result.h5");
+    // four risers with two places each, in line order
+    EXPECT_EQ(file.read_texts("/lines/at/line").at(2), "scr_gas");
+    EXPECT_EQ(file.read("/lines/at/arc_length"),
+              (std::vector<double>{1480, 1550, 1480, 1550, 1480, 1550, 1480, 1550}));
+    const auto same = [&](const std::string& path, const std::string& field, std::uint64_t column) {
+        const std::vector<double> view = file.read(path);
+        EXPECT_EQ(view, file.dataset(field).read_column(column)) << path;
+        EXPECT_TRUE(std::isfinite(view.at(5))) << path;
+    };
+    same("/line/scr_gas/at/1550/von_mises_stress", "/lines/at/von_mises_stress", 3);
+    same("/line/scr_gas/end_a/von_mises_stress", "/lines/end_a/von_mises_stress", 13);
+    same("/line/scr_oil/touchdown/arc_length", "/lines/touchdown/arc_length", 12);
+    EXPECT_EQ(file.read_texts("/constraints/names"),
+              (std::vector<std::string>{"scr_oil/ram", "scr_oil/keel"}));
+    same("/constraint/scr_oil/ram/stroke", "/constraints/stroke", 0);
+    same("/constraint/scr_oil/keel/force", "/constraints/force", 1);
+    EXPECT_FALSE(file.exists("/constraint/scr_oil/keel/stroke"));
+}
+
+TEST(Result, HoldsTheLatestOfWhatHasNoTime) {
+    const Case input = test::synthetic_spar(30.0);
+    const test::Folder folder;
+    finish(folder.path, input, 7);  // segments of which each has its own
+    const Hdf5File file = Hdf5File::open(folder.path / "result.h5");
+    const std::vector<double> all = file.read("/lines/range/von_mises_stress/t_max");
+    const std::vector<double> first = file.read("/lines/nodes/first");
+    ASSERT_EQ(static_cast<double>(all.size()), first.back());
+    const std::vector<double> oil = file.read("/line/scr_oil/range/von_mises_stress/t_max");
+    ASSERT_EQ(static_cast<double>(oil.size()), first[13] - first[12]);
+    for (const double t : oil) EXPECT_EQ(t, 30.0);
+    EXPECT_FALSE(file.exists("/line/ml1/range/von_mises_stress/max"));
+    EXPECT_EQ(file.dataset("/lines/extremes/slack").shape(), (Extent{16, 3}));
+}
+
 void expect_described(const Hdf5File& file, const std::string& path, bool is_group) {
     if (!is_group) {
         EXPECT_NO_THROW((void)file.text_attribute(path, "units")) << path;
@@ -130,14 +169,20 @@ TEST(Result, DigestsStatisticsAndTheStart) {
     const Case input = test::synthetic_spar(60.0);
     const test::Folder folder;
     const ResultDigest digest = finish(folder.path, input, 1000);
-    ASSERT_EQ(digest.statistics.size(), 6u + 2u + 16u + 12u);
+    // motions, environment; end tensions of 16 + 12 ends; declinations of 24; of the risers stress
+    // at end A and two places, touchdown with its position; tensioner and guide of one
+    ASSERT_EQ(digest.statistics.size(), 6u + 2u + 16u + 12u + 24u + 4u + 8u + 16u + 3u);
     EXPECT_EQ(digest.statistics[0].channel, "platform/spar/surge");
     EXPECT_EQ(digest.statistics[8].channel, "line/ml1/end_a/effective_tension");
     EXPECT_EQ(digest.statistics[0].values.n, 61);  // 30 s to 60 s
     EXPECT_NEAR(digest.lines[0].end_a_declination, 55.0, 1e-12);
-    EXPECT_TRUE(std::isnan(digest.lines[12].end_a_declination));
-    // the last 7 % of 2499 m lie on the seabed, in the last section of four elements, 122 m
+    EXPECT_NEAR(digest.lines[12].end_a_declination, 55.0, 1e-12);  // though it is not recorded
     EXPECT_NEAR(digest.lines[0].grounded, 122.0, 1e-9);
+    EXPECT_NEAR(digest.lines[0].touchdown, 2377.0, 1e-9);
+    EXPECT_NEAR(digest.courses[3].extremes[1].arc_length, 0.25 * 2499, 1e-9);
+    EXPECT_NEAR(digest.courses[3].extremes[1].time, 60.0, 1e-12);
+    ASSERT_EQ(digest.mismatch.size(), 2u);
+    EXPECT_EQ(digest.mismatch[1].first, "scr_oil/keel");
 }
 
 TEST(Summary, TellsTheWeightOfALineInWater) {

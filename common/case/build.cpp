@@ -136,9 +136,7 @@ class Build {
     }
 
     /// Height of the seabed [m].
-    double bed(double x, double y) const {
-        return declared_.environment.seabed.height(x, y);
-    }
+    double bed(double x, double y) const { return declared_.environment.seabed.height(x, y); }
 
     int type_index(const std::string& name, const std::string& path) {
         std::vector<std::string> known;

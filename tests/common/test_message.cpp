@@ -17,6 +17,7 @@ TEST(Message, AnOrderArrivesAsItWasSent) {
                         .current = false,
                         .t0 = 0.1,
                         .t1 = 0.35,
+                        .frequency = 0.403,
                         .from = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}},
                         .to = {{-1, -2, -3}, {-4, -5, -6}, {-7, -8, -9}, {-10, -11, -0.0}}};
     const Order got = unpack(pack(sent));
@@ -28,6 +29,7 @@ TEST(Message, AnOrderArrivesAsItWasSent) {
     EXPECT_EQ(got.current, sent.current);
     EXPECT_EQ(got.t0, sent.t0);
     EXPECT_EQ(got.t1, sent.t1);
+    EXPECT_EQ(got.frequency, sent.frequency);
     EXPECT_EQ(got.from, sent.from);
     EXPECT_EQ(got.to, sent.to);
     EXPECT_TRUE(std::signbit(got.to.angle_rates.z()));
@@ -54,7 +56,7 @@ TEST(Message, AReplyArrivesAsItWasSentAndStiffnessOnlyWhereAsked) {
         line.end_tension = 1e6 + i;
         for (int j = 0; j < 36; ++j) line.stiffness.data()[j] = 100.0 * i + j;
     }
-    for (const Ask ask : {Ask::run_to, Ask::equilibrium}) {
+    for (const Ask ask : {Ask::run_to, Ask::equilibrium, Ask::impedance}) {
         std::vector<double> message(static_cast<size_t>(reply_numbers(ask, 2)), -1.0);
         pack_reply_to(sent, ask, message);
         const Status status = unpack_status(message);
@@ -69,7 +71,7 @@ TEST(Message, AReplyArrivesAsItWasSentAndStiffnessOnlyWhereAsked) {
             const LineLoad got = unpack_line(message, ask, i);
             EXPECT_EQ(got.wrench, line.wrench);
             EXPECT_EQ(got.end_tension, line.end_tension);
-            EXPECT_EQ(got.stiffness, ask == Ask::equilibrium ? line.stiffness : Mat6::Zero());
+            EXPECT_EQ(got.stiffness, ask != Ask::run_to ? line.stiffness : Mat6::Zero());
         }
     }
 }

@@ -375,10 +375,12 @@ Status RodPack<V>::status_of(Mask bad, Status::Code code, double t) const {
 
 template Status RodPack<Single>::equilibrium(const PlatformMotion&, bool);
 template std::vector<CatenaryNode> RodPack<Single>::found_shape(int) const;
+template PlatformMotion RodPack<Single>::last_pose() const;
 template void RodPack<Single>::set_guess(int, const std::vector<CatenaryNode>&);
 template Status RodPack<Single>::status_of(Single::Mask, Status::Code, double) const;
 template Status RodPack<Quad>::equilibrium(const PlatformMotion&, bool);
 template std::vector<CatenaryNode> RodPack<Quad>::found_shape(int) const;
+template PlatformMotion RodPack<Quad>::last_pose() const;
 template void RodPack<Quad>::set_guess(int, const std::vector<CatenaryNode>&);
 template Status RodPack<Quad>::status_of(Quad::Mask, Status::Code, double) const;
 

@@ -111,9 +111,7 @@ class BuildConstraint {
         if (keys_.arc && *keys_.arc > line_.length()) {
             error(".arc", fmt::format("beyond the end of the line at {:.6g} m", line_.length()));
         }
-        if (keys_.line) {
-            other_line(c);
-        } else if (!keys_.platform) {
+        if (!keys_.platform) {
             error("", "required key \"platform\" is missing: its name, or seabed for the earth");
         } else if (*keys_.platform == "seabed") {
             c.on_platform = false;
@@ -127,24 +125,6 @@ class BuildConstraint {
         return c;
     }
 
-    void other_line(LineConstraint& c) {
-        if (keys_.type != ConstraintKind::slider) {
-            return error(".line", "only a slider joins two lines");
-        }
-        c.on_platform = false;
-        std::vector<std::string> known;
-        for (std::size_t i = 0; i < declared_.lines.size(); ++i) {
-            if (declared_.lines[i].name == line_.name) continue;
-            known.push_back(declared_.lines[i].name);
-            if (known.back() == *keys_.line) c.other_line = static_cast<int>(i);
-        }
-        if (c.other_line < 0) {
-            error(".line", fmt::format("unknown line \"{}\"{}", *keys_.line,
-                                       suggestion(*keys_.line, known)));
-        }
-        if (!keys_.arc) error("", "a slider between two lines needs \"arc\": which point?");
-    }
-
     /// Where it stands: heights are on the line's own vertical.
     std::vector<Vec3> places() {
         if (keys_.type == ConstraintKind::pull_tube) {
@@ -154,7 +134,6 @@ class BuildConstraint {
             return {keys_.path.empty() ? Vec3::Zero().eval() : keys_.path.front()};
         }
         if (keys_.position) return {*keys_.position};
-        if (keys_.line) return {Vec3::Zero()};
         if (keys_.z.empty()) {
             error("", "expected \"z\" or \"position\": where?");
             return {};
@@ -265,7 +244,7 @@ class BuildConstraint {
 
     void winch() {
         if (line_.winch) return error("", "a line has one winch");
-        if (keys_.platform || keys_.line || !keys_.z.empty() || keys_.position || keys_.arc) {
+        if (keys_.platform || !keys_.z.empty() || keys_.position || keys_.arc) {
             error("", "a winch stands at end A: it has no place of its own");
         }
         const Curve& rows = keys_.paid_out;

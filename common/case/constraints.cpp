@@ -34,7 +34,7 @@ void place_keys(Keys<ConstraintKeys>& k) {
     k.text("platform", &C::platform,
            "Platform that it belongs to; seabed: the earth, where places are x, y, z of the world")
         .eg("spar");
-    k.text("line", &C::line, "Other line that a slider joins, instead of a platform").eg("ttr1");
+    k.later("line", "Slider between two lines");
     k.text("name", &C::name, "Name in the results").follows("its type").eg("keel");
     k.text("names", &C::names, "With a list of heights: names of each; {n} counts from 1")
         .eg("plate{n}");
@@ -178,7 +178,6 @@ const Table& constraint_keys() {
                  "negative), straight between, constant outside")
             .needed_with("type", {"winch"})
             .eg("[[0 s, 0 m], [600 s, 50 m]]");
-        k.rule(KeyRule::Count::at_most_one, {"platform", "line"});
         k.rule(KeyRule::Count::at_most_one, {"name", "names"});
         k.rule(KeyRule::Count::at_most_one, {"z", "position"});
         return k.done();

@@ -122,7 +122,7 @@ enum class TensionerLaw { linear, gas, table };
 /// What holds a line between its ends; a list of heights makes several of it.
 struct ConstraintKeys {
     std::optional<ConstraintKind> type;  ///< empty: not understood
-    std::optional<std::string> platform, line, name, names;
+    std::optional<std::string> platform, name, names;
     std::optional<double> arc;
     std::vector<double> z;
     std::optional<Vec3> position, axis;

@@ -146,7 +146,6 @@ class LineChecks {
             warning(key, fmt::format("\"{}\": coefficient of friction {:.3g}; steel has 0.1 to 0.5",
                                      c.name, c.friction));
         }
-        if (c.other_line >= 0) return;
         std::vector<Vec3> places = c.path;
         if (places.empty()) places.push_back(c.position);
         for (const Vec3& place : places) this->place(c, place);

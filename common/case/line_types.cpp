@@ -135,10 +135,7 @@ const Table& material_keys() {
             .required()
             .above(0)
             .eg("7850 kg/m3");
-        k.number("poisson", &Material::poisson, dimension::number, "Poisson's ratio, for stresses")
-            .def("0.3")
-            .at_least(0)
-            .at_most(0.5);
+        k.later("poisson", "Poisson's ratio");
         k.number("yield", &Material::yield, stress, "Yield stress, for utilisation")
             .above(0)
             .eg("448 MPa");

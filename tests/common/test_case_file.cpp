@@ -175,7 +175,6 @@ TEST(LineTypes, CurvesAndWallsAreKept) {
     const Case c = read(riser, {{"line_types.pipe.EA", "[[0, 0], [0.001, 4 MN], [0.01, 20 MN]]"},
                                 {"line_types.pipe.stress", "{scf: 1.3, thickness_factor: 0.9}"},
                                 {"line_types.pipe.yield", "448 MPa"},
-                                {"materials.steel.poisson", "0.29"},
                                 {"lines.riser.end_b.joint", "flex"},
                                 {"lines.riser.end_b.rotational_stiffness",
                                  "[[0, 0], [1 deg, 10 kN.m], [2 deg, 90 kN.m]]"}});
@@ -185,7 +184,6 @@ TEST(LineTypes, CurvesAndWallsAreKept) {
     EXPECT_EQ(pipe.wall->concentration, 1.3);
     EXPECT_EQ(pipe.wall->thickness_factor, 0.9);
     EXPECT_EQ(pipe.wall->yield, 448e6);
-    EXPECT_EQ(pipe.wall->poisson, 0.29);
     const LineEnd& end = c.lines[0].end_b;
     EXPECT_EQ(end.rotational_curve.size(), 3U);
     EXPECT_NEAR(end.rotational_stiffness, 10e3 * 180 / M_PI, 1e-6);

@@ -37,7 +37,9 @@ struct Order {
 /// Load of one line on the platform: force [N] and moment about O [N.m] on world axes, at t1.
 struct LineLoad {
     Vec6 wrench = Vec6::Zero();
-    double end_tension = 0.0;  ///< effective tension at end A [N], for the progress line
+    double end_tension = 0.0;       ///< effective tension at end A [N], for the progress line
+    double impulse_mismatch = 0.0;  ///< largest of the line's constraints so far, R:40
+    int mismatch_at = -1;           ///< and which, index into Line::constraints; -1: none
     Mat6 stiffness =
         Mat6::Zero();  ///< -d(wrench)/d(position, rotation vector); equilibrium, impedance
 };

@@ -61,6 +61,8 @@ void pack_reply_to(const Reply& reply, Ask ask, std::span<double> out) {
     for (const LineLoad& line : reply.lines) {
         to = std::copy(line.wrench.data(), line.wrench.data() + 6, to);
         *to++ = line.end_tension;
+        *to++ = line.impulse_mismatch;
+        *to++ = line.mismatch_at;
         if (replies_stiffness(ask))
             to = std::copy(line.stiffness.data(), line.stiffness.data() + 36, to);
     }
@@ -80,7 +82,9 @@ LineLoad unpack_line(std::span<const double> message, Ask ask, int line) {
     LineLoad load;
     load.wrench = Vec6(from);
     load.end_tension = from[6];
-    if (replies_stiffness(ask)) load.stiffness = Mat6(from + 7);
+    load.impulse_mismatch = from[7];
+    load.mismatch_at = static_cast<int>(from[8]);
+    if (replies_stiffness(ask)) load.stiffness = Mat6(from + 9);
     return load;
 }
 

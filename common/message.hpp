@@ -16,13 +16,13 @@ using OrderMessage = std::array<double, order_numbers>;
 [[nodiscard]] OrderMessage pack(const Order& order);
 [[nodiscard]] Order unpack(const OrderMessage& message);
 
-/// One status, then per line wrench and end tension, and the 36 numbers of the stiffness where the
-/// order asks for it.
+/// One status, then per line wrench, end tension and impulse mismatch, and the 36 numbers of the
+/// stiffness where the order asks for it.
 inline constexpr int status_numbers = 6;
 [[nodiscard]] inline bool replies_stiffness(Ask ask) {
     return ask == Ask::equilibrium || ask == Ask::impedance;
 }
-[[nodiscard]] inline int numbers_per_line(Ask ask) { return replies_stiffness(ask) ? 43 : 7; }
+[[nodiscard]] inline int numbers_per_line(Ask ask) { return replies_stiffness(ask) ? 45 : 9; }
 [[nodiscard]] inline int reply_numbers(Ask ask, int lines) {
     return status_numbers + lines * numbers_per_line(ask);
 }

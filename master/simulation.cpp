@@ -110,6 +110,21 @@ void Simulation::keep_statics(const PlatformMotion* platform, const Reply& lines
     last_segment_ = wall_seconds();
 }
 
+void Simulation::keep_impulses(const Reply& lines) {
+    for (std::size_t i = 0; i < lines.lines.size(); ++i) {
+        const LineLoad& load = lines.lines[i];
+        if (load.mismatch_at < 0) continue;
+        const Line& line = input_.lines[i];
+        const auto c = static_cast<std::size_t>(load.mismatch_at);
+        impulses_.push_back({line.name + "/" + line.constraints[c].name, load.impulse_mismatch});
+        if (load.impulse_mismatch > io::large_mismatch)
+            report_.warn(
+                fmt::format("{}: rod and platform took impulses that differ by {:.1f} % (R:40); a "
+                            "shorter platform step or force: quadratic_fit brings them together",
+                            impulses_.back().constraint, 100.0 * load.impulse_mismatch));
+    }
+}
+
 void Simulation::keep_platform_facts(const StaticStart& start) {
     platform_facts_ = {{"mass", "kg", "mass of the platform", hull_->mass()},
                        {"acting_buoyancy", "N", "buoyancy at the design draft in still water",
@@ -159,7 +174,10 @@ bool Simulation::go_on(int step, double t, Order& next, const PlatformMotion* pl
 
     const bool finished = step == n_steps_;
     stopped_ = !finished && stop_.made();
-    if (finished || stopped_) last_ = next;
+    if (finished || stopped_) {
+        last_ = next;
+        if (platform != nullptr) keep_impulses(lines);
+    }
     return !finished && !stopped_;
 }
 

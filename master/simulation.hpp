@@ -37,6 +37,7 @@ class Simulation {
     void coupled();      ///< platform and lines, P:3
     void lines_alone();  ///< no platform
     void keep_statics(const PlatformMotion* platform, const Reply& lines);
+    void keep_impulses(const Reply& lines);
     void keep_platform_facts(const StaticStart& start);
     /// Once a step: what the next order carries, what people see, and whether there is one.
     bool go_on(int step, double t, Order& next, const PlatformMotion* platform, const Reply& lines);
@@ -69,6 +70,7 @@ class Simulation {
     LoopClock clock_;
     std::optional<io::StaticState> statics_;
     std::vector<io::Fact> platform_facts_;
+    std::vector<io::ImpulseMismatch> impulses_;
     Order last_;  ///< the order that ends the run, with the flags of the last step
     double t_ = 0.0;
     bool stopped_ = false;

@@ -64,6 +64,7 @@ io::RunRecord Simulation::record(ExitCode code, const std::string& message,
     r.outcome = message;
     r.statics = statics_;
     r.adjustments = request_.adjustments;
+    r.impulses = impulses_;
     if (hull_ != nullptr) {
         if (ledger_.started()) r.ledger = ledger_.table();
         r.platform = platform_facts_;

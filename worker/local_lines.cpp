@@ -57,6 +57,13 @@ const Reply& LocalLines::receive() {
             LineLoad& load = reply_.lines[place_[p][static_cast<std::size_t>(i)]];
             load.wrench = pack.pass_wrench(i);
             load.end_tension = pack.tension_a(i);
+            load.mismatch_at = -1;
+            load.impulse_mismatch = 0.0;
+            for (int c = 0; c < pack.constraint_count(); ++c) {
+                const double mismatch = pack.impulse_mismatch(i, c);
+                if (load.mismatch_at < 0 || mismatch > load.impulse_mismatch)
+                    load.impulse_mismatch = mismatch, load.mismatch_at = c;
+            }
             if (order_.ask == Ask::equilibrium || order_.ask == Ask::impedance)
                 load.stiffness = pack.stiffness(i, order_.to.position);
         }

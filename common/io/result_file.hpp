@@ -30,6 +30,14 @@ struct Fact {
     double value = 0.0;
 };
 
+/// Impulse that a constraint gave its rod against the one it gave the platform, R:40.
+struct ImpulseMismatch {
+    std::string constraint;  ///< line/constraint
+    double value = 0.0;      ///< |I_rod - I_hull| / sum h |f| over the run
+};
+
+inline constexpr double large_mismatch = 0.01;
+
 /// What rank 0 knows about a run when it ends.
 struct RunRecord {
     Case input;
@@ -40,10 +48,11 @@ struct RunRecord {
     bool complete = false;  ///< false: stopped or failed on the way
     std::string outcome;    ///< one line for people: "done", or what went wrong
     std::optional<StaticState> statics;
-    std::vector<Adjustment> adjustments;  ///< that statics made to `input`
-    std::optional<LedgerTable> ledger;    ///< of the platform
-    std::vector<Fact> platform;           ///< mass, acting buoyancy, GM, periods; for the summary
-    std::vector<Fact> performance;        ///< `name` as in /performance/<name>; times in s
+    std::vector<Adjustment> adjustments;    ///< that statics made to `input`
+    std::optional<LedgerTable> ledger;      ///< of the platform
+    std::vector<ImpulseMismatch> impulses;  ///< of each line with constraints, the largest
+    std::vector<Fact> platform;             ///< mass, acting buoyancy, GM, periods; for the summary
+    std::vector<Fact> performance;          ///< `name` as in /performance/<name>; times in s
 };
 
 /// Statistics of one recorded channel.

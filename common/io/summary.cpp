@@ -249,6 +249,21 @@ std::string ledger_text(const LedgerTable& ledger) {
     return out;
 }
 
+std::string impulses_text(const std::vector<ImpulseMismatch>& impulses) {
+    if (impulses.empty()) return "";
+    std::string out =
+        heading("Impulse of rod and platform at contacts: largest mismatch of a line");
+    std::vector<std::string> names;
+    for (const ImpulseMismatch& i : impulses) names.push_back(i.constraint);
+    const std::size_t width = widest(0, names);
+    for (const ImpulseMismatch& i : impulses)
+        out += fmt::format("{:<{}} {} %{}\n", i.constraint, width, cell(100.0 * i.value, 10, 3),
+                           i.value > large_mismatch
+                               ? "  large: a shorter platform step or force: quadratic_fit"
+                               : "");
+    return out;
+}
+
 std::string performance_text(const RunRecord& record) {
     if (record.performance.empty()) return "";
     std::string out = heading("Where the time went");
@@ -314,6 +329,7 @@ std::string summary_text(const RunRecord& record, const ResultDigest& digest) {
     out += courses_text(record, digest);
     out += statistics_text(record, digest);
     if (record.ledger) out += ledger_text(*record.ledger);
+    out += impulses_text(record.impulses);
     out += performance_text(record);
     out += limits_text(input);
     return out;

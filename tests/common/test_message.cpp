@@ -54,6 +54,8 @@ TEST(Message, AReplyArrivesAsItWasSentAndStiffnessOnlyWhereAsked) {
         LineLoad& line = sent.lines[static_cast<size_t>(i)];
         for (int j = 0; j < 6; ++j) line.wrench[j] = 10.0 * i + j + 0.1;
         line.end_tension = 1e6 + i;
+        line.impulse_mismatch = 0.01 * i;
+        line.mismatch_at = 3 - i;
         for (int j = 0; j < 36; ++j) line.stiffness.data()[j] = 100.0 * i + j;
     }
     for (const Ask ask : {Ask::run_to, Ask::equilibrium, Ask::impedance}) {
@@ -71,6 +73,8 @@ TEST(Message, AReplyArrivesAsItWasSentAndStiffnessOnlyWhereAsked) {
             const LineLoad got = unpack_line(message, ask, i);
             EXPECT_EQ(got.wrench, line.wrench);
             EXPECT_EQ(got.end_tension, line.end_tension);
+            EXPECT_EQ(got.impulse_mismatch, line.impulse_mismatch);
+            EXPECT_EQ(got.mismatch_at, line.mismatch_at);
             EXPECT_EQ(got.stiffness, ask != Ask::run_to ? line.stiffness : Mat6::Zero());
         }
     }

@@ -180,6 +180,10 @@ class RodPack {
     /// |I_rod - I_hull| / sum h |f| of R:40 since the start; 0 where the platform made no steps of
     /// four passes.
     [[nodiscard]] double impulse_mismatch(int lane, int c) const;
+    /// How many constraints a line of this pack declares.
+    [[nodiscard]] int constraint_count() const {
+        return constraints_.empty() ? 0 : constraints_.back().declared + 1;
+    }
 
     [[nodiscard]] const std::vector<int>& lines() const { return lines_; }
     /// Elements, counted from end B; arc lengths of the nodes from end B, ascending [m]; the bed.

@@ -1,4 +1,4 @@
-// Constraints along a rod: laws against their energies, a tensioned riser in its guides.
+// Constraints along a rod in statics: a tensioned riser in its guides, joints, a pull tube.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,67 +9,6 @@ namespace hawser::worker {
 namespace {
 
 using namespace testing;
-using V = Single;
-
-double one(V x) { return LaneTraits<V>::get(x, 0); }
-Vector<V> vector(const Vec3& x) { return {V(x.x()), V(x.y()), V(x.z())}; }
-Vec3 plain(const Vector<V>& x) { return {one(x.x), one(x.y), one(x.z)}; }
-
-/// Force is minus the gradient of energy, stiffness at least bounds its derivative along every
-/// direction tried.
-template <class L>
-void expect_gradient(const L& law, const Vec3& g, const Vec3& k) {
-    const auto at = [&](const Vec3& x) {
-        ConstraintMotion<V> m;
-        m.g = vector(x);
-        m.k = vector(k);
-        return load(law, m, V(0.0));
-    };
-    const double h = 1e-6;
-    for (int i = 0; i < 3; ++i) {
-        const Vec3 step = h * Vec3::Unit(i);
-        const double slope =
-            (one(at(g + step).load.energy) - one(at(g - step).load.energy)) / (2 * h);
-        const double scale = std::max(1.0, plain(at(g).load.force).norm());
-        EXPECT_NEAR(plain(at(g).load.force)[i], -slope, 1e-7 * scale) << i;
-    }
-    Mat3 S, difference;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) S(i, j) = one(at(g).load.stiffness(i, j));
-        const Vec3 step = h * Vec3::Unit(i);
-        difference.col(i) =
-            -(plain(at(g + step).load.force) - plain(at(g - step).load.force)) / (2 * h);
-    }
-    EXPECT_NEAR((S - difference).norm(), 0, 1e-5 * S.norm());
-}
-
-TEST(ConstraintLaws, ForceIsMinusTheGradientOfEnergy) {
-    const Vec3 k = Vec3(0.1, -0.2, 1).normalized();
-    const Guide<V> guide{V(0.025), V(2e7), V(0.0), V(0.0), V(0.01), V(0.002)};
-    expect_gradient(guide, Vec3(0.02, 0.016, 0.3), k);  // on the smooth foot or beyond
-    expect_gradient(guide, Vec3(0.05, -0.01, -0.1), k);
-    const Slider<V> slider{V(1e6), V(0.0)};
-    expect_gradient(slider, Vec3(0.2, -0.1, 3), k);
-    const Tensioner<V> linear{V(5e6), V(1.5e5), V(0.0), V(0.0), V(1.0), V(-4.5), V(4.5), V(1e8)};
-    expect_gradient(linear, Vec3(0.2, -0.1, 1.3), k);
-    expect_gradient(linear, Vec3(0.2, -0.1, -4.6), k);  // on the stop
-    const Tensioner<V> gas{V(5e6), V(0.0), V(0.0), V(1.1), V(40.0), V(-4.5), V(4.5), V(1e8)};
-    expect_gradient(gas, Vec3(0.2, -0.1, -2.0), k);
-}
-
-TEST(ConstraintLaws, GuideRubsUpToItsFrictionLimit) {
-    const Guide<V> guide{V(0.0), V(1e6), V(0.0), V(0.3), V(0.01), V(0.002)};
-    ConstraintMotion<V> m;
-    m.g = vector({0.1, 0, 0});
-    m.k = vector(Vec3::UnitZ());
-    m.slide = V(0.005);  // half of what mobilises it
-    const double N = one(load(guide, m, V(0.0)).magnitude);
-    EXPECT_NEAR(plain(load(guide, m, V(0.0)).load.force).z(), -0.5 * 0.3 * N, 1e-9 * N);
-    m.slide = V(1.0);
-    EXPECT_NEAR(plain(load(guide, m, V(0.0)).load.force).z(), -0.3 * N, 1e-9 * N);
-    EXPECT_NEAR(one(load(guide, m, V(0.0)).friction), 0.01, 1e-12);
-}
-
 /// A top-tensioned riser of the truss spar: 406 x 25 mm, tensioner at z = 22 m, guides below the
 /// hard tank.
 Case riser(double length) {

@@ -126,6 +126,7 @@ ConstraintReading<V> load(const Tensioner<V>& t, const ConstraintMotion<V>& m, V
         const Pull<V> pull = pull_at(t, s.x);
         const V F = pull.force + t.damping * x_rate + rub.force;
         out.load.force += (share * F * s.x_l) * s.e;
+        // a cylinder that pushes would soften across itself: left out
         const V around = max(share * F * s.x_l / s.length, V(0.0));
         const V along = share * ((pull.slope + a1 * t.damping) * s.x_l * s.x_l + F * s.x_ll);
         out.load.stiffness.add(V(1.0), Symmetric<V>::scaled_identity(around));

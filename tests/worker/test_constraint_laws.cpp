@@ -43,8 +43,7 @@ std::vector<LawCase> all_laws() {
     linear.nominal = V(5e6), linear.stiffness = V(1.5e5);
     gas.nominal = V(5e6), gas.exponent = V(1.1), gas.column = V(40.0);
     table.table[0] = PiecewiseLinear({{-4, 4e6}, {0, 5e6}, {1, 5.3e6}, {4, 7e6}});
-    for (Tensioner<V>* t : {&linear, &gas, &table})
-        t->damping = V(3e4), t->friction_force = V(1e5);
+    for (Tensioner<V>* t : {&linear, &gas, &table}) t->damping = V(3e4), t->friction_force = V(1e5);
     return {
         {"guide", Guide<V>{V(0.025), V(2e7), V(3e5), V(0.2), V(0.001), V(0.002)}, across,
          Vec3::Zero(), 0.04 * side + 0.3 * axis},
@@ -83,10 +82,9 @@ TEST(EveryLaw, ForceIsMinusTheGradientOfEnergy) {
             const Vec3 force = plain(resting_at(c, g).load.force);
             for (int i = 0; i < 3; ++i) {
                 const Vec3 step = h * Vec3::Unit(i);
-                const double slope =
-                    (resting_at(c, g + step).load.energy[0] -
-                     resting_at(c, g - step).load.energy[0]) /
-                    (2 * h);
+                const double slope = (resting_at(c, g + step).load.energy[0] -
+                                      resting_at(c, g - step).load.energy[0]) /
+                                     (2 * h);
                 // rounding of an energy of up to 2e7 J over 2e-6 m, and the foot of a contact
                 EXPECT_NEAR(force[i], -slope, 1e-5 * std::max(force.norm(), 1e4))
                     << c.name << " " << i;

@@ -130,7 +130,7 @@ ConstraintReading<V> load(const Tensioner<V>& t, const ConstraintMotion<V>& m, V
         const V around = max(share * F * s.x_l / s.length, V(0.0));
         const V along = share * ((pull.slope + a1 * t.damping) * s.x_l * s.x_l + F * s.x_ll);
         out.load.stiffness.add(V(1.0), Symmetric<V>::scaled_identity(around));
-        out.load.stiffness.add_outer(max(along, V(0.0)) - around, s.e);
+        out.load.stiffness.add_outer(along - around, s.e);
         out.load.energy += share * pull.energy;
         out.magnitude += share * F;
         out.power += share * (t.damping * x_rate + rub.force) * x_rate;

@@ -340,6 +340,13 @@ void RodPack<V>::evaluate_constraints(V a1) {
         m.rubs = V(friction_on_ ? 1.0 : 0.0);
         m.cylinders = c.cylinders;
         c.reading = std::visit([&](const auto& law) { return load(law, m, a1); }, c.law);
+        if (hold_part_ != 1.0 && std::holds_alternative<HeldPoint<V>>(c.law)) {
+            const V part(hold_part_);
+            c.reading.load.force = part * c.reading.load.force;
+            Symmetric<V> softer;
+            softer.add(part, c.reading.load.stiffness);
+            c.reading.load.stiffness = softer;
+        }
         c.point = r;
         c.slope = sum(at.w, q);
         if (law_on_)

@@ -16,6 +16,8 @@ constexpr int static_iterations = 100;
 // Parts of each correction where whole ones fail: R:17 has no derivative of drag in the slope, so
 // that the iteration overshoots on a lightly loaded line that lies down in the stream.
 constexpr double careful_parts[] = {0.5, 0.2};
+/// Stiffness of held points along a rod, as a part of the whole, on the way to them.
+constexpr double held_parts[] = {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0};
 constexpr double static_step_limit = 50.0;  // [m]
 constexpr double move_per_increment = 5.0;  // of the platform between two static solutions [m]
 constexpr double turn_lever = 100.0;        // metres of motion that a radian of rotation counts as
@@ -266,7 +268,24 @@ Status RodPack<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
         if (any(everything_of(guessed)))
             return status_of(everything_of(guessed), Status::Code::no_equilibrium, 0.0);
         law_on_ = !any(axis_is_static_a_ | axis_is_static_b_) && !has_static_joint_axes();
-        const Mask solved = static_newton(design, false, used_);
+        Mask solved = static_newton(design, false, used_);
+        // A tie-off far from the catenary draws the line there by and by.
+        const Mask far = everything_of(solved);
+        const bool held = std::any_of(constraints_.begin(), constraints_.end(), [](const auto& c) {
+            return std::holds_alternative<HeldPoint<V>>(c.law);
+        });
+        if (any(far) && held) {
+            for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
+                if (LaneTraits<V>::get(far, i) && !LaneTraits<V>::get(guessed_, i))
+                    guess_lane(i, design);
+            Mask drawn = far;
+            for (const double part : held_parts) {
+                hold_part_ = part;
+                drawn = static_newton(design, false, drawn);
+            }
+            hold_part_ = 1.0;
+            solved = solved | drawn;
+        }
         law_on_ = true;
         if (any(everything_of(solved)))
             return status_of(everything_of(solved), Status::Code::no_equilibrium, 0.0);

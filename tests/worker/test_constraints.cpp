@@ -197,7 +197,7 @@ Case tied_chain() {
     input.environment.water.density = 0.0;
     input.lines[0].constraints = {{.type = ConstraintType::ball_joint,
                                    .name = "tie_off",
-                                   .position = {40, 0, -10},
+                                   .position = {30, 0, -50},
                                    .arc_length = 60.0}};
     return input;
 }
@@ -210,7 +210,7 @@ TEST(JointAlongTheRod, TieOffCarriesTwoCatenaries) {
     const double weight = 100 * 9.80665;
     const std::vector<CatenaryElement> piece(
         60, {.length = 1, .EA = 1e9, .weight_wet = weight, .weight_dry = weight});
-    const Catenary upper = solve_catenary(piece, {40, 0, -10}, {0, 0, 0}, false);
+    const Catenary upper = solve_catenary(piece, {30, 0, -50}, {0, 0, 0}, false);
     ASSERT_TRUE(upper.found);
     const CatenaryNode& low = upper.nodes.front();
     const Vec3 load = low.tension * low.tangent.normalized() - Vec3(0, 0, 40 * weight);
@@ -220,7 +220,7 @@ TEST(JointAlongTheRod, TieOffCarriesTwoCatenaries) {
     const Vec6 all = rod.wrench(0, Vec3::Zero());
     EXPECT_NEAR(all[2], -100 * weight, 1e-6 * 100 * weight);
     EXPECT_LT(std::abs(all[0]), 1e-6 * 100 * weight);
-    const Vec3 lever = Vec3(40, 0, -10).cross(-rod.constraint_force(0, 0));
+    const Vec3 lever = Vec3(30, 0, -50).cross(-rod.constraint_force(0, 0));
     EXPECT_NEAR(all[4], lever.y(), 1e-4 * std::abs(lever.y()));
 }
 
@@ -231,6 +231,7 @@ TEST(JointAlongTheRod, StiffnessIsTheDerivativeOfItsLoad) {  // R:21, R:22 for p
          {ConstraintType::ball_joint, ConstraintType::flex_joint, ConstraintType::clamp}) {
         input.lines[0].end_b = fixed_at({70, 5, -20});
         input.lines[0].constraints[0].type = type;
+        input.lines[0].constraints[0].position = {40, 0, -10};
         input.lines[0].constraints[0].rotational_stiffness = 1e5;
         const Sea sea = still_sea(input);
         PlatformMotion base;
@@ -296,8 +297,8 @@ TEST(Slider, WithAGapIsACentralizer) {
     last.type = ConstraintType::slider;
     EXPECT_GT(guide.norm(), 1e3);
     EXPECT_LT((force() - guide).norm(), 1e-6 * guide.norm());
-    last.gap = 0.0;  // held in both senses: it takes more
-    EXPECT_GT(force().norm(), 1.01 * guide.norm());
+    last.gap = 0.0;  // held in both senses and nowhere loose
+    EXPECT_GT((force() - guide).norm(), 1e-3 * guide.norm());
 }
 
 TEST(Template, OnTheSeaFloorLoadsTheRodAndNotThePlatform) {

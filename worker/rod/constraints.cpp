@@ -366,7 +366,7 @@ void RodPack<V>::add_constraints(std::size_t e, ElementSystem<V>& out) const {
         const PointShape<V> at(c.xi, properties_[e].L);
         const V on = select(mine, V(1.0), V(0.0));
         V* rows[4] = {out.Ra, out.Ra + 3, out.Rb, out.Rb + 3};
-        // R:22, rod rows: those of a point with weights A_i, those of a slope (R:30) with w_i
+        // R:22, rod rows: those of a point with weights A_i, those of a slope (R:42) with w_i
         const auto add = [&](const ConstraintLoad<V>& load, const V(&weight)[4]) {
             for (int i = 0; i < 4; ++i) {
                 const V wi = on * weight[i];

@@ -282,5 +282,31 @@ TEST(Impulse, OfTheHullIsWhatItsFourRatesTook) {  // R:40
     EXPECT_GT(mismatch, 0.01);  // an impact of 17 ms under stages of 20 ms
 }
 
+TEST(Impulse, OfASteadyLoadIsTheSameForRodAndHull) {  // R:40, from the static start on
+    LineEnd top = fixed_at({0, 0, 0});
+    top.kind = EndKind::platform;
+    Case input = one_line(plain_type(100, 1e9), 100, 50, top, {});
+    input.environment.water.density = 0.0;
+    input.lines[0].constraints = {{.type = ConstraintType::ball_joint,
+                                   .name = "tie_off",
+                                   .position = {30, 0, -50},
+                                   .arc_length = 60.0}};
+    const Sea sea = still_sea(input);
+    RodPack<Single> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    const PlatformMotion still;
+    for (int k = 0; k < 3; ++k) {
+        const double t = 0.5 * k;
+        for (const double end : {t + 0.25, t + 0.25, t + 0.5, t + 0.5}) {
+            ASSERT_TRUE(rod.pass(t, end, MotionSpline(t, still, end, still)).ok());
+            EXPECT_LT(rod.impulse_mismatch(0, 0), 1e-6) << t;  // passes not kept do not count
+        }
+        rod.keep();
+        const double size = rod.state().constraints()[0].impulse_size[0];
+        EXPECT_NEAR(size, 0.5 * (k + 1) * rod.constraint_force(0, 0).norm(), 1e-4 * size);
+        EXPECT_LT(rod.impulse_mismatch(0, 0), 1e-6) << t;
+    }
+}
+
 }  // namespace
 }  // namespace hawser::worker

@@ -21,7 +21,7 @@ inline constexpr double stop_stiffness = 1e8;  ///< of a tensioner's end stops [
 ///
 /// One ram on the axis: x = -g.k, f = F(x) k. Cylinder i of m runs from the rod's point to P_i, a
 /// height a_i > 0 above the place and b_i beside the axis; its own length l_i gives its stroke, the
-/// one at which a rod on the axis would give it that length, and its energy, R:41:
+/// one at which a rod on the axis would give it that length, and its energy, R:45:
 ///
 ///     x_i = sqrt(l_i^2 - b_i^2) - a_i,   E_i = (1/m) int F dx  at x_i
 ///     f = sum (F(x_i)/m) (dx_i/dl_i) e_i,   dx_i/dl_i = l_i/sqrt(l_i^2 - b_i^2)

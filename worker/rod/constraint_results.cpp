@@ -47,6 +47,11 @@ void RodPack<V>::keep_constraints(Mask accepted, V h, const RodState<V>& before,
         put3(to.force, c.force), put3(to.moment, c.moment), put3(to.point, c.point);
         put(to.magnitude, c.magnitude), put(to.opening, c.opening);
         put(to.energy, c.energy), put(to.power, c.power);
+        if (friction_on_) continue;
+        // a static solution: R:40 counts from here, and this is what the first rate takes
+        put3(to.hull_force, c.force);
+        put3(to.impulse, Vector<V>{}), put3(to.hull_impulse, Vector<V>{});
+        put(to.impulse_size, V(0.0));
     }
 }
 
@@ -174,11 +179,14 @@ double RodPack<V>::constraint_dissipated(int lane, int c) const {
 template <class V>
 double RodPack<V>::impulse_mismatch(int lane, int c) const {
     double largest = 0.0;
-    for_points_of(c, [&](const ConstraintState<V>& s) {
+    for (std::size_t n = 0; n < constraints_.size(); ++n) {
+        if (constraints_[n].declared != c) continue;
+        // of the kept state: the hull's share of a pass that is not kept is not yet known
+        const ConstraintState<V>& s = kept_.constraints()[n];
         const double size = LaneTraits<V>::get(s.impulse_size, lane);
         const Vec3 off = lane_vector(s.impulse, lane) - lane_vector(s.hull_impulse, lane);
         if (size > 0.0) largest = std::max(largest, off.norm() / size);
-    });
+    }
     return largest;
 }
 

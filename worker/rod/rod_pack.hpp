@@ -177,8 +177,8 @@ class RodPack {
     /// Energy stored, and taken by dampers and friction since the start [J].
     [[nodiscard]] double constraint_energy(int lane, int c) const;
     [[nodiscard]] double constraint_dissipated(int lane, int c) const;
-    /// |I_rod - I_hull| / sum h |f| of R:40 since the start; 0 where the platform made no steps of
-    /// four passes.
+    /// |I_rod - I_hull| / sum h |f| of R:40 from the start to the kept state; 0 where the platform
+    /// made no steps of four passes.
     [[nodiscard]] double impulse_mismatch(int lane, int c) const;
     /// How many constraints a line of this pack declares.
     [[nodiscard]] int constraint_count() const {

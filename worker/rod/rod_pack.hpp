@@ -371,7 +371,7 @@ class RodPack {
     bool friction_on_ = true;
     bool law_on_ = true;
     double hold_part_ = 1.0;  ///< of the stiffness of held points, on the way to a static solution
-    Mask guessed_;  ///< lanes with a guess of their own
+    Mask guessed_;            ///< lanes with a guess of their own
     bool has_strain_ = false, started_ = false, static_ = false;
     Mask axis_is_static_a_, axis_is_static_b_;
 

@@ -4,6 +4,10 @@ import numpy as np
 
 from paper_results import PAPER
 
+KEEL = ""
+TENSION = ""
+STRESS = ""
+MOTIONS = ""
 HEAD = """# Figures 3 to 8 of OMAE2011-49553, and what comes out here
 
 {what}
@@ -97,25 +101,40 @@ def figure_5(everything, window):
                 cells = (spread(both[0]), spread(both[1]), share)
             rows.append((f"{heading}°", f"{q.name}, {q.unit}", f"{q.axis[0]:g} to {q.axis[1]:g}", *cells))
     return section(5, "coupled against quasi-static lines",
-                   "six motions; heave differs little between the two, all others plainly.", table(*rows), "")
+                   "six motions; heave differs little between the two, all others plainly.", table(*rows), MOTIONS)
 
 
 def figure_6(everything, window):
-    return ""
+    rows = [("weather", "paper's axis, kN", "both points together, kN", "upper point, kN", "lower point, kN",
+             "time in contact, %")]
+    for heading, hours in everything.items():
+        hour = hours["coupled"]
+        forces = hour.keel_forces()
+        inside = hour.inside(window)
+        upper, lower = (force[inside] for force in forces)
+        rows.append((f"{heading}°", "0 to 600", spread(upper + lower), spread(upper), spread(lower),
+                     f"{100 * np.mean(upper + lower > 0):.0f}"))
+    return section(6, "contact force at the keel joint, TTR 1",
+                   "one curve that is never negative, so a magnitude, on an axis of 0 to 600 kN.", table(*rows), KEEL)
 
 
 def figure_7(everything, window):
-    rows = [("weather", "paper's axis", "coupled, kN", "quasi-static lines, kN", "std, coupled over quasi-static")]
+    rows = [("weather", "paper's axis, kN", "coupled, kN", "quasi-static lines, kN", "range, kN", "range, quasi-static, kN")]
     for heading, hours in everything.items():
-        both = common_samples(hours.get("coupled"), hours.get("quasi_static"), "top_tension", window)
-        if both is None:
-            inside = hours["coupled"].inside(window)
-            cells = (spread(hours["coupled"].series("top_tension")[inside]), "-", "-")
-        else:
-            cells = (spread(both[0]), spread(both[1]), f"{both[0].std() / both[1].std():.2f}")
-        rows.append((f"{heading}°", "600 to 1800", *cells))
-    return section(7, "top tension of mooring line 1", "", table(*rows), "")
+        a, b = common_samples(hours["coupled"], hours["quasi_static"], "top_tension", window)
+        rows.append((f"{heading}°", "600 to 1800", spread(a), spread(b), f"{np.ptp(a):.0f}", f"{np.ptp(b):.0f}"))
+    return section(7, "top tension of mooring line 1",
+                   "the dynamic line beside the quasi-static one.", table(*rows), TENSION)
 
 
 def figure_8(everything, window):
-    return ""
+    rows = [("weather", "paper's axis, MPa", "greatest, MPa", "at arc length, m", "at time, s",
+             "greatest of the mean, MPa", "at arc length, m")]
+    for heading, hours in everything.items():
+        stress = hours["coupled"].stress(window)
+        greatest, arc = stress.greatest
+        rows.append((f"{heading}°", "0 to 150", f"{greatest:.1f}", f"{arc:.0f}", f"{stress.t_max:g}",
+                     f"{stress.mean.max():.1f}", f"{stress.arc[int(stress.mean.argmax())]:.0f}"))
+    return section(8, "von Mises stress around the touch-down zone, oil export SCR",
+                   "one curve over 1000 to 1900 m of arc length on an axis of 0 to 150 MPa; whether it is of one "
+                   "moment or an envelope is not said.", table(*rows), STRESS)

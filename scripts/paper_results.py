@@ -75,38 +75,27 @@ class Hour:
             return self.end_tension(MOORING)
         if channel == "keel":
             forces = self.keel_forces()
-            return None if forces is None else np.linalg.norm(sum(forces), axis=1)
+            return None if forces is None else sum(forces)
         return None
 
     def end_tension(self, line):
         """Effective tension at end A [kN]."""
         return 1e-3 * self.file["lines/end_a/effective_tension"][:, self.names.index(line)]
 
-    @cached_property
-    def turned_z(self):
-        """The platform's z axis on world axes: R = Rz(yaw) Ry(pitch) Rx(roll), third column."""
-        roll, pitch, yaw = np.radians(self.motions[:, 3:]).T
-        return np.stack([np.cos(yaw) * np.sin(pitch) * np.cos(roll) + np.sin(yaw) * np.sin(roll),
-                         np.sin(yaw) * np.sin(pitch) * np.cos(roll) - np.cos(yaw) * np.sin(roll),
-                         np.cos(pitch) * np.cos(roll)], axis=1)
-
     def constraint(self, line, name, quantity):
         path = f"constraint/{line}/{name}/{quantity}"
         return self.file[path][:] if path in self.file else None
 
     def keel_forces(self):
-        """Forces of TTR 1 on its two contact points at the keel across the guide's axis [kN]."""
+        """Radial contact forces at the keel's upper and lower point on TTR 1, magnitudes [kN]."""
         forces = [self.constraint(RISER, name, "force") for name in KEEL]
-        if any(force is None for force in forces):
-            return None
-        axis = self.turned_z
-        return [1e-3 * (f - np.sum(f * axis, axis=1)[:, None] * axis) for f in forces]
+        return None if any(force is None for force in forces) else [1e-3 * force for force in forces]
 
     def stress(self, window):
         """None if it was not recorded."""
         if "lines/at/von_mises_stress" not in self.file:
             return None
-        mine = self.file["lines/at/line"][:] == self.names.index(EXPORT)
+        mine = self.file["lines/at/line"][:] == EXPORT.encode()
         arc = self.file["lines/at/arc_length"][:][mine]
         inside = self.inside(window)
         values = 1e-6 * self.file["lines/at/von_mises_stress"][:][np.ix_(inside, mine)]

@@ -67,34 +67,25 @@ class Hour:
         return self.file[f"platform/{self.platform}/position"][:]
 
     def series(self, channel):
-        """A channel of PAPER against time, in the paper's axes; None if it was not recorded."""
+        """A channel of PAPER against time, in the paper's axes."""
         quantity = PAPER[channel]
         if quantity.column >= 0:
             return quantity.sign * self.motions[:, quantity.column]
         if channel == "top_tension":
             return self.end_tension(MOORING)
         if channel == "keel":
-            forces = self.keel_forces()
-            return None if forces is None else sum(forces)
-        return None
+            return sum(self.keel_forces())
+        raise KeyError(channel)
 
     def end_tension(self, line):
         """Effective tension at end A [kN]."""
         return 1e-3 * self.file["lines/end_a/effective_tension"][:, self.names.index(line)]
 
-    def constraint(self, line, name, quantity):
-        path = f"constraint/{line}/{name}/{quantity}"
-        return self.file[path][:] if path in self.file else None
-
     def keel_forces(self):
         """Radial contact forces at the keel's upper and lower point on TTR 1, magnitudes [kN]."""
-        forces = [self.constraint(RISER, name, "force") for name in KEEL]
-        return None if any(force is None for force in forces) else [1e-3 * force for force in forces]
+        return [1e-3 * self.file[f"constraint/{RISER}/{name}/force"][:] for name in KEEL]
 
     def stress(self, window):
-        """None if it was not recorded."""
-        if "lines/at/von_mises_stress" not in self.file:
-            return None
         mine = self.file["lines/at/line"][:] == EXPORT.encode()
         arc = self.file["lines/at/arc_length"][:][mine]
         inside = self.inside(window)

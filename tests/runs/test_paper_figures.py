@@ -41,7 +41,7 @@ class Quick(unittest.TestCase):
         1 % of the standard deviation."""
         page = (self.out / "figures.md").read_text()
         shares = [float(row[-1]) for row in self.rows(page, 4)]
-        self.assertEqual(len(shares), 6)  # three motions, two headings
+        self.assertEqual(len(shares), 3)  # three motions
         self.assertTrue(all(0 < share < 1.0 for share in shares), shares)
 
     def test_keel_force_is_a_magnitude_and_stress_is_that_of_a_bent_pipe(self):

@@ -70,7 +70,9 @@ void LineSamples::each_rod(const std::vector<Quads>& packs, Wanted&& wanted, Put
 
 LineSamples::LineSamples(const Case& input, const std::vector<Quads>& packs,
                          io::SeriesWriter* results)
-    : input_(&input), results_(results), from_(input.analysis.dynamics.statistics_from) {
+    : input_(&input),
+      results_(input.lines.empty() ? nullptr : results),
+      from_(input.analysis.dynamics.statistics_from) {
     if (!results_) return;
     for (const Quads& pack : packs) {
         recoveries_.emplace_back(input, pack);

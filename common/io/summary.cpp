@@ -289,11 +289,10 @@ std::string limits_text(const Case& input) {
     }
     if (!input.lines.empty()) {
         out +=
-            "lines:    no torsion; no friction on the seabed; no contact between lines; no "
-            "vortex-induced vibration;\n"
-            "          linear material (polyester: two moduli and one relaxation time)\n";
+            "lines:    no torsion; no contact between lines; no vortex-induced vibration;\n"
+            "          static solutions without friction of the seabed\n";
     }
-    out += "sea:      linear waves, unidirectional; flat seabed\n";
+    out += "sea:      linear waves, unidirectional; plane seabed\n";
     return out;
 }
 

@@ -27,10 +27,6 @@ LineAtRest at_rest(const RodPack<V>& pack, int lane, const Case& input) {
     LineAtRest out;
     out.tension_a = pack.tension_a(lane);
     out.tension_b = pack.tension_b(lane);
-    for (int c = 0; c < static_cast<int>(line.constraints.size()); ++c)  // of a riser in its rams
-        if (line.end_a.kind == EndKind::free &&
-            line.constraints[static_cast<std::size_t>(c)].type == ConstraintType::tensioner)
-            out.tension_a = pack.constraint_magnitude(lane, c);
     const Vec3 u_a = pack.direction_a(lane), u_b = pack.direction_b(lane);
     out.declination_a = declination(u_a), out.declination_b = declination(u_b);
     out.azimuth_a = azimuth(u_a), out.azimuth_b = azimuth(u_b);

@@ -267,11 +267,18 @@ Vec3 RodPack<V>::direction_b(int lane) const {
 }
 template <class V>
 double RodPack<V>::tension_a(int lane) const {
+    if (!place_a_.held()) return end_tension(properties_.size(), lane);
     return force_on_support_a(lane).dot(direction_a(lane));
 }
 template <class V>
 double RodPack<V>::tension_b(int lane) const {
+    if (!place_b_.held()) return end_tension(0, lane);
     return -force_on_support_b(lane).dot(direction_b(lane));
+}
+template <class V>
+double RodPack<V>::end_tension(std::size_t node, int lane) const {  // R:2
+    const double lambda = LaneTraits<V>::get(working_.lambda()[2 * node].now, lane);
+    return lambda * lane_vector(working_.nodes()[node].d, lane).norm();
 }
 template <class V>
 Vec3 RodPack<V>::node_position(int lane, int n) const {

@@ -216,6 +216,8 @@ class RodPack {
     };
 
     // rod_pack.cpp: set-up and read-out
+    /// Effective tension in the rod just inside a free end, e.g. below a tensioner's ring [N].
+    [[nodiscard]] double end_tension(std::size_t node, int lane) const;
     void set_properties(const Case& input);
     void set_spring();
     void set_slope_law(const EndPlace& place, SlopeLaw<V>& law,
@@ -229,9 +231,9 @@ class RodPack {
     void prepare_material(const RodState<V>& s, V h);
     void accept(Mask accepted, V h, V t_new);
     void drag_grips(Mask accepted);
-    /// Friction of the bed acts in motion only, not in statics or quasi-static passes.
+    /// Friction of the bed acts in passes of every line model, not in static solutions.
     [[nodiscard]] GripBefore<V> grip_before(std::size_t e) const {
-        if (static_ || working_.grips() == nullptr) return {};
+        if (!friction_on_ || working_.grips() == nullptr) return {};
         return {&working_.nodes()[e], &working_.nodes()[e + 1],
                 working_.grips() + e * gauss_points};
     }

@@ -123,6 +123,7 @@ template <class V>
 auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wanted, double part)
     -> Mask {
     static_ = true;
+    friction_on_ = false;
     released_ = LaneTraits<V>::none(), dead_ = V(-1.0);  // a line is whole at rest
     if (winds_) pay_out(kept_.head().t);
     const MotionSpline still(0.0, pose, 0.0, pose);
@@ -148,7 +149,6 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wa
         current_only(current, V(0.0), still);
         if (!curves_.empty()) (void)follow_curves(iterating, nullptr, V(1.0));
         if (!constraints_.empty()) {
-            friction_on_ = false;
             place_constraints(kept_, V(0.0), V(0.0), still, true);
             evaluate_constraints(V(0.0));
         }

@@ -96,7 +96,7 @@ void RodPack<V>::drag_grips(Mask accepted) {
 template <class V>
 void RodPack<V>::accept(Mask accepted, V h, V t_new) {
     RodState<V>& s = working_;
-    if (s.grips() != nullptr && !static_) drag_grips(accepted);
+    if (s.grips() != nullptr && friction_on_) drag_grips(accepted);
     const V from_new((1.0 - scheme_.af) / (1.0 - scheme_.am));
     const V from_a(scheme_.af / (1.0 - scheme_.am)), from_A(-scheme_.am / (1.0 - scheme_.am));
     NodeState<V>* node = s.nodes();
@@ -169,8 +169,8 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
     if (shelters_) shelter_water(t_new, platform, true);
     if (!curves_.empty()) (void)follow_curves(active, &working_, h);
 
+    friction_on_ = true;
     if (!constraints_.empty()) {
-        friction_on_ = true;
         place_constraints(working_, working_.head().t, t_new, platform, false);
         evaluate_constraints(a1);
     }

@@ -69,6 +69,7 @@ class SharedCase {
 /// A case that one process reads, checks and makes ready to compute; its notes go to stderr.
 io::CaseFile ready_case(const io::CommandLine& line) {
     io::CaseFile file = io::read_and_check(line.case_file, line.overrides);
+    if (line.command == io::CommandLine::Command::check) file.notes.clear();  // told already
     for (const Adjustment& a : meet_targets(file.value, io::Link()))
         file.notes.push_back(note_of(a, file.value));
     for (const std::string& note : file.notes) std::fprintf(stderr, "%s\n", note.c_str());

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """The page of paper_figures: for each figure what the paper shows, what comes out, why they differ."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """What the paper's figures need from a result file, in the paper's axes and units (paper_figures)."""
 
 from dataclasses import dataclass

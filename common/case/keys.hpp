@@ -186,6 +186,7 @@ inline std::vector<std::array<double, 2>> curve_of(const Value& value) {
 }
 inline std::vector<std::vector<double>> rows_of(const std::vector<std::array<double, 2>>& curve) {
     std::vector<std::vector<double>> rows;
+    rows.reserve(curve.size());
     for (const auto& [x, y] : curve) rows.push_back({x, y});
     return rows;
 }

@@ -22,6 +22,7 @@ Key& chosen_words(Keys<LineOutput>& k, const std::string& name,
 
 std::vector<std::string> quantity_words() {
     std::vector<std::string> words;
+    words.reserve(line_quantities.size());
     for (const LineQuantityWords& q : line_quantities) words.emplace_back(q.name);
     return words;
 }

@@ -35,7 +35,9 @@ std::vector<LineQuantity> further_end_quantities();
 struct LinePlace {
     int line = 0;
     double arc_length = 0.0;
-    auto operator<=>(const LinePlace&) const = default;
+    bool operator<(const LinePlace& other) const {
+        return line != other.line ? line < other.line : arc_length < other.arc_length;
+    }
 };
 /// All of them, in line order and along each line; column k of /lines/at/<quantity> is place k.
 std::vector<LinePlace> recorded_places(const Case& input);

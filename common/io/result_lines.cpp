@@ -95,6 +95,7 @@ void write_places(Hdf5File& file, const Case& input) {
     const std::vector<ConstraintOfLine> constraints = constraints_of(input);
     if (constraints.empty()) return;
     std::vector<std::string> names;
+    names.reserve(constraints.size());
     for (const ConstraintOfLine& c : constraints) names.push_back(c.name);
     file.write_texts("/constraints/names", names);
     describe(file, "/constraints/names", "",

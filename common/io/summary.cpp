@@ -254,6 +254,7 @@ std::string impulses_text(const std::vector<ImpulseMismatch>& impulses) {
     std::string out =
         heading("Impulse of rod and platform at contacts: largest mismatch of a line");
     std::vector<std::string> names;
+    names.reserve(impulses.size());
     for (const ImpulseMismatch& i : impulses) names.push_back(i.constraint);
     const std::size_t width = widest(0, names);
     for (const ImpulseMismatch& i : impulses)

@@ -122,7 +122,8 @@ std::vector<RodMode> rod_modes(RodPack<V>& pack, int lane, const Case& input, in
         Eigen::MatrixXd out = Eigen::MatrixXd::Zero(rows, x.cols());
         for (std::size_t n = 0; n <= N; ++n) {
             const Vec3 k = direction(n);
-            for (const Eigen::Index row : {7 * n, 7 * n + 3})
+            const auto first = static_cast<Eigen::Index>(7 * n);
+            for (const Eigen::Index row : {first, first + 3})
                 out.middleRows<3>(row) = k * (k.transpose() * x.middleRows<3>(row));
         }
         return out;
@@ -131,7 +132,7 @@ std::vector<RodMode> rod_modes(RodPack<V>& pack, int lane, const Case& input, in
         return part(x, [&](std::size_t n) { return tangent[n]; });
     };
     const auto outward_part = [&](const Eigen::MatrixXd& x) {
-        return part(x, [&](std::size_t) { return normal; });
+        return part(x, [&](std::size_t) -> const Vec3& { return normal; });
     };
     const auto at = [&](const Eigen::VectorXd& x, std::size_t n) {
         return Vec3(x.segment<3>(static_cast<Eigen::Index>(7 * n)));

@@ -121,7 +121,7 @@ std::vector<RodMode> rod_modes(RodPack<V>& pack, int lane, const Case& input, in
     const auto part = [&](const Eigen::MatrixXd& x, const auto& direction) {
         Eigen::MatrixXd out = Eigen::MatrixXd::Zero(rows, x.cols());
         for (std::size_t n = 0; n <= N; ++n) {
-            const Vec3 k = direction(n);
+            const Vec3& k = direction(n);
             const auto first = static_cast<Eigen::Index>(7 * n);
             for (const Eigen::Index row : {first, first + 3})
                 out.middleRows<3>(row) = k * (k.transpose() * x.middleRows<3>(row));

@@ -29,22 +29,22 @@ heave plates; all are assumed in the case.
 - *Surge* is the mean load (wind 4.8, current 3.3, mean drift 0.6 MN, and viscous drift) over a stiffness of about
   0.31 MN/m: a wind area larger by a half, or current drag by three quarters, would bring it to the middle of the
   paper's axis.
-- *Sway* is nothing with the weather along x, so the paper's weather is not along its x. 15 degrees bring it to the
-  lower part of the paper's axis.
+- *Sway* is nothing with the weather along x, so the paper's weather is not along its x. With 15 degrees it comes
+  close to the paper's axis from below: at this offset the mooring is twice as stiff across x as along it.
 - *Heave* leaves the paper's axis by as much as the heave plates, their area and drag, are guessed: its natural
-  period of 23.4 s lies in the tail of this sea.
+  period of 22 s lies in the tail of this sea.
 - *Pitch* leans the same way and less. Height and area of the deck in the wind and the depth of the fairleads decide.
 - *Roll* and *yaw* are next to nothing with the weather along x, for the model is symmetric but for the SCRs' sizes.
   The paper's axes show up to 2 degrees.
-- *Coupled against quasi-static*: along x, heave and surge differ by a sixth of their standard deviation or less, pitch by
-  a quarter, and what there is of sway, roll and yaw by most of itself: heave little, as the paper says, the rest
-  more, but less plainly than it says of surge. The quasi-static lines' motions are larger throughout, for the drag
-  of the dynamic lines damps the hull."""
+- *Coupled against quasi-static*: surge and sway differ by a tenth of their standard deviation, heave by a seventh, roll
+  and pitch by a quarter, yaw by as much as itself or more. So heave differs little, as the paper says, and
+  rotations plainly; surge and sway differ less than it says. The quasi-static lines' motions are larger throughout:
+  lines without drag of their own motion do not damp the hull."""
 
-KEEL = """in level they hardly do. The force is that of both contact points of the keel joint, 1 m above and below its
-middle, each a radial magnitude, added; which of them, or what sum, the paper plots is not said. The lower one
-carries practically all. Its mean is the riser's tension times the angle between hull and riser, its swing that of
-the hull's lean. Gap, stiffness of the guide and the strengthened joint are assumed."""
+KEEL = """in level they hardly do: the force stays inside the paper's axis. It is that of both contact points of the
+keel joint, 1 m above and below its middle, each a radial magnitude, added; which of them, or what sum, the paper plots
+is not said. The lower one carries practically all. Its mean is the riser's tension times the angle between hull and
+riser, its swing that of the hull's lean. Gap, stiffness of the guide and the strengthened joint are assumed."""
 
 TENSION = """line 1 lies to leeward here and its mean falls inside the paper's axis. The dynamic line swings twice as far as
 the quasi-static one: drag holds the middle of the line when its end moves with the waves, so that
@@ -59,7 +59,7 @@ pressure. The envelope and the moment of its maximum differ by little at the pea
 
 def spread(values):
     """mean ± std, least to greatest"""
-    return f"{values.mean():.2f} ± {values.std():.2f}, {values.min():.2f} to {values.max():.2f}"
+    return f"{values.mean():.2f} ± {values.std():.2f}, {values.min() + 0.0:.2f} to {values.max() + 0.0:.2f}"
 
 
 def rms(a, b):

@@ -79,6 +79,11 @@ class WrongUse(unittest.TestCase):
         self.assertEqual(paper_figures("--fast").returncode, 2)
         self.assertEqual(paper_figures("--ranks", "0").returncode, 2)
 
+    def test_a_program_that_is_not_built_is_named(self):
+        done = subprocess.run([SCRIPT, "--hawser", "/no/such/hawser"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("scripts/build", done.stderr)
+
 
 FIGURES = (3, 4, 5, 6, 7, 8)
 

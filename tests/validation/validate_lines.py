@@ -120,11 +120,15 @@ def riser():
     w, depth = 1418.83, 1335.0
     for angle, H, T, suspended, x in ((10, 398.0, 2292.2, 1591.0, 683.5), (12, 497.2, 2391.3, 1648.6, 789.4),
                                       (15, 661.4, 2555.6, 1739.8, 945.2)):
-        rod = Result("a22", parameters__suspended=f"{suspended - 200} m", parameters__span=f"{x + 500} m")
+        rod = Result("a22", parameters__suspended=f"{suspended - 200} m", parameters__span=f"{x + 500} m",
+                     parameters__measured=f"{suspended - 20} m")
         row("A22", f"{angle} deg: H [kN]", H, abs(rod.force()[0]) / 1e3, 2e-3)
         row("A22", f"{angle} deg: tension at the top [kN]", T, rod.tension()[0] / 1e3, 2e-3)
         row("A22", f"{angle} deg: top angle [deg]", angle, rod.lines["end_a/declination"][0, 0], 2e-3)
         row("A22", f"{angle} deg: suspended length, V/w [m]", suspended, abs(rod.force()[2]) / w, 2e-3)
+        # w/H there; a distance u from it 1/(1 + (w u/H)2) of that
+        at_touchdown = rod.lines["at/curvature"][0, 0] * (1 + (20 * w / (H * 1e3)) ** 2)
+        row("A22", f"{angle} deg: curvature at touchdown, w/H [1/m]", w / (H * 1e3), at_touchdown, 2e-3)
     rod = Result("a22", parameters__suspended="1458.198 m", parameters__span="1299.142 m",
                  line_types__riser__EI="4.58729e7 N.m2")
     row("A22a", "case file: tension at the top [kN]", 2391.33, rod.tension()[0] / 1e3, 1e-3)

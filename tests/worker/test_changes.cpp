@@ -68,6 +68,32 @@ TEST(Failure, AtEndALetsThePlatformGo) {
     for (int n = 0; n <= 32; ++n) EXPECT_LT(rod.node_position(0, n).z(), -145.0) << n;
 }
 
+TEST(Failure, HappensInTheStepThatPassesItsTime) {
+    Case input = slack_chain();
+    input.lines[0].fail = LineFailure{.time = 0.41, .arc_length = 0.0};
+    const Sea sea = still_sea(input);
+    RodPack<Single> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    const double before = rod.tension_a(0);
+    ASSERT_TRUE(run(rod, 0.44, 0.02, [&](double t) {
+                    EXPECT_NEAR(rod.tension_a(0), t < 0.41 ? before : 0.0, 1e-3 * before) << t;
+                }).ok());
+}
+
+TEST(Failure, AtTheAnchorLeavesItNothing) {
+    Case input = slack_chain();
+    input.lines[0].fail = LineFailure{.time = 0.5, .arc_length = 320.0};
+    const Sea sea = still_sea(input);
+    RodPack<Single> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    EXPECT_GT(rod.tension_b(0), 1e4);
+    ASSERT_TRUE(run(rod, 5, 0.5).ok());
+    // half an element lies at the anchor and joins it to nothing
+    EXPECT_LT(std::abs(rod.tension_b(0)), 0.05 * 5 * (150 - 1025 * 0.02) * 9.80665);
+    for (int i = 0; i < 2; ++i) EXPECT_LT(std::abs(rod.kept().lambda()[i].now[0]), 1.0) << i;
+    EXPECT_LT((rod.node_position(0, 32) - Vec3(250, 0, -150)).norm(), 1e-9);
+}
+
 TEST(Failure, AtANodeBothPartsGoOn) {
     Case input = slack_chain();
     input.lines[0].fail = LineFailure{.time = 1.0, .arc_length = 81.0};  // node at 80 m

@@ -96,6 +96,31 @@ TEST(GuideImpact, ConvergesWithTheStep) {
     EXPECT_LT(std::abs(strike(5e4, 2e-4).peak / fine - 1), 0.25 * coarse + 1e-3);
 }
 
+TEST(GuideImpact, TheForceThatTheRodFeelsIsTheLawsWithTheUsualTolerances) {  // README, "Contacts"
+    // A hard guide, 15 cm/s: no correction is as large as the 5 mm that ask for another iteration,
+    // yet the law's force at the solution is to be the one that moved the rod, to 1 % and 1 kN.
+    const double k = 1e9, step = 5e-3;
+    Case input = flying_rod(0.0, step);
+    input.lines[0].constraints[0].stiffness = k;
+    const Sea sea = still_sea(input);
+    RodPack<Single> rod(input, sea, {0});
+    std::vector<CatenaryNode> nodes;
+    for (int n = 0; n <= 2; ++n)
+        nodes.push_back({.position = Vec3(0.024, 0, n), .tangent = Vec3::UnitZ(), .tension = 0.0});
+    rod.set_guess(0, nodes);
+    for (int n = 0; n <= 2; ++n) rod.kept().nodes()[n].v = lanes_of({0.15, 0, 0});
+    double peak = 0.0;
+    const Status status = run(rod, 0.06, step, [&](double t) {
+        const double p = std::max(0.0, rod.state().nodes()[1].r.x[0] - 0.025);
+        const double law = k * (p < contact_smoothing ? 0.5 * p * p / contact_smoothing
+                                                      : p - 0.5 * contact_smoothing);
+        EXPECT_NEAR(rod.constraint_force(0, 0).norm(), law, 1e3 + 0.01 * law) << t;
+        peak = std::max(peak, law);
+    });
+    EXPECT_TRUE(status.ok());
+    EXPECT_GT(peak, 1e4);
+}
+
 /// Energy of a rod [J]: kinetic, of stretch and of bending.
 double energy_of(const RodPack<Single>& rod, double L, double m, double EA, double EI) {
     double sum = 0.0;

@@ -74,6 +74,39 @@ TEST(Clamp, HoldsTheDirectionOfTheRod) {
     EXPECT_GT(rod.moment_on_support_a(0).norm(), 1e3);
 }
 
+TEST(Clamp, CarriesTheMomentOfARodThatIsShaken) {  // m L^2/2 a
+    // A stiff rod hangs clamped under a hull that surges: its first bending mode is 1 s, the hull's
+    // period 20 s. Force m L a, moment m L^2/2 a about its end, and the lever of the end about O.
+    const double L = 10, m = 100, w = 2 * M_PI / 20, A = 3;
+    LineEnd a;
+    a.kind = EndKind::platform, a.joint = Joint::clamped;
+    a.position = {0, 0, -5}, a.direction = Vec3(0, 0, -1);
+    Case input = one_line(plain_type(m, 1e9, 1e9), L, 4, a, LineEnd{});
+    input.environment.water.density = 0.0;
+    input.analysis.dynamics.line_step = 0.02;
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    const auto hull = [&](double t) {
+        PlatformMotion at;  // starts at rest, its acceleration without a jump
+        at.position.x() = A * (w * t - std::sin(w * t));
+        at.velocity.x() = A * w * (1 - std::cos(w * t));
+        return at;
+    };
+    for (int k = 0; k < 80; ++k) {
+        const double t0 = 0.25 * k, t1 = t0 + 0.25;
+        ASSERT_TRUE(rod.pass(t0, t1, MotionSpline(t0, hull(t0), t1, hull(t1))).ok());
+        rod.keep();
+        const double force = -m * L * A * w * w * std::sin(w * t1);
+        const double tip = A * w * w * m * L * L / 2;
+        // spline of 0.25 s steps: 1e-3 of the acceleration; the rod's own swing 1e-2
+        EXPECT_NEAR(rod.force_on_support_a(0).x(), force, 0.02 * A * w * w * m * L) << t1;
+        EXPECT_NEAR(rod.moment_on_support_a(0).y(), -force * L / 2, 0.02 * tip) << t1;
+        const Vec6 about_O = rod.wrench(0, hull(t1).position);
+        EXPECT_NEAR(about_O[4], -force * (5 + L / 2), 0.02 * 3 * tip) << t1;
+    }
+}
+
 TEST(Spring, ForceIsMinusTheGradientOfEnergy) {
     const Spring<Single> spring{.stiffness = 3e4, .damping = 0.0, .length = 2.0};
     for (const Vec3& g : {Vec3(1, 2, -1.5), Vec3(0.5, -0.3, 0.4)}) {

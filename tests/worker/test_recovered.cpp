@@ -78,6 +78,26 @@ TEST(PipeStress, CorrosionTakesFromTheInsideAndConcentrationRaisesAxialAndBendin
     EXPECT_NEAR(got.von_mises[0], got.axial[0] + got.bending[0], 1.0);
 }
 
+TEST(PipeStress, SectionOfATaperRunsInBothDiametersAndInWhatGoesWithThem) {
+    LineType foot = pipe(0.324, 0.020, 200, 4.6e7), top = pipe(0.5, 0.040, 200, 4.6e7);
+    top.wall->thickness_factor = 0.8, foot.wall->thickness_factor = 0.9;
+    top.wall->concentration = 1.1, foot.wall->concentration = 1.5;
+    top.wall->contents_density = 800, foot.wall->contents_density = 1000;
+    Case input = one_line(top, 40, 4, fixed_at({0, 0, 0}), LineEnd{});
+    input.line_types.push_back(foot);
+    input.lines[0].sections = {{.type = 0, .length = 10, .elements = 1},
+                               {.type = 0, .length = 40, .elements = 4, .type_at_end = 1}};
+    const StressSection<double> s = stress_section(input, input.lines[0], 20.0, true);
+    // a quarter down the taper: 456 mm outside, 386 mm inside, of 35 mm the part 0.825 is left
+    const double outer = 0.228, inner = outer - 0.825 * 0.035;
+    EXPECT_NEAR(s.outer_radius, outer, 1e-12);
+    EXPECT_NEAR(s.inner_radius, inner, 1e-12);
+    EXPECT_NEAR(s.area, M_PI * (outer * outer - inner * inner), 1e-12);
+    EXPECT_NEAR(s.second_moment, M_PI / 4 * (std::pow(outer, 4) - std::pow(inner, 4)), 1e-14);
+    EXPECT_NEAR(s.concentration, 1.2, 1e-12);
+    EXPECT_NEAR(s.contents_weight, 850 * input.environment.water.gravity, 1e-9);
+}
+
 TEST(Recovered, HangingPipeFullOfSeaCarriesItsSteelLessThePressureOnItsEnd) {
     // Open at both ends, top at the surface: the wall force at a height is the weight of the steel
     // below less what the water at the bottom pushes up on the ring: w l - p_bottom A_s.

@@ -245,6 +245,32 @@ TEST(TimeStep, PassesTakeTheFewestEqualSteps) {  // R:28
     EXPECT_DOUBLE_EQ(rod.work().rod_time, 3 * 0.5);
 }
 
+TEST(TimeStep, HalvedStepsGiveThePlatformTheSameForce) {  // P:5: the fit's weights sum to one
+    LineEnd top;
+    top.kind = EndKind::platform;
+    top.position = {0, 0, -100};
+    Case input = standing_line(top, taut_span);
+    input.analysis.dynamics.line_step = 0.1;
+    for (LineType& type : input.line_types) type.damping_ratio = 0.01;
+    PlatformMotion from, to;
+    to.position.x() = -0.1, to.velocity.x() = -0.4;
+    const Sea sea = still_sea(input);
+    const auto pull = [&](double tolerance, std::int64_t& steps) {
+        RodPack<Quad> rod(input, sea, {0});
+        EXPECT_TRUE(rod.equilibrium({}, false).ok());
+        rod.newton.tolerance = tolerance;
+        rod.newton.max_iterations = 1;  // a correction beyond the tolerance halves the step at once
+        EXPECT_TRUE(rod.pass(0, 0.5, MotionSpline(0, from, 0.5, to)).ok());
+        steps = rod.work().steps;
+        return Vec6(rod.pass_wrench(0));
+    };
+    std::int64_t whole_steps = 0, halved_steps = 0;
+    const Vec6 whole = pull(1.0, whole_steps), halved = pull(2e-4, halved_steps);
+    EXPECT_EQ(whole_steps, 5);
+    EXPECT_GT(halved_steps, 15);  // twice over
+    EXPECT_LT((halved - whole).norm(), 5e-3 * whole.norm());
+}
+
 TEST(TimeStep, ALineStretchedSlowlyPastTwiceItsLengthFails) {
     // Beyond s lambda = 0.5 (R:6) the stretch law has no solution left: Newton must not settle
     // there.

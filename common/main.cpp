@@ -69,26 +69,37 @@ class SharedCase {
 /// A case that one process reads, checks and makes ready to compute; its notes go to stderr.
 io::CaseFile ready_case(const io::CommandLine& line) {
     io::CaseFile file = io::read_and_check(line.case_file, line.overrides);
-    if (line.command == io::CommandLine::Command::check) file.notes.clear();  // told already
     for (const Adjustment& a : meet_targets(file.value, io::Link()))
         file.notes.push_back(note_of(a, file.value));
     for (const std::string& note : file.notes) std::fprintf(stderr, "%s\n", note.c_str());
     return file;
 }
 
-/// `hawser statics` and `hawser check --statics`: one process, for it takes seconds.
+/// What `hawser check --statics` adds to a check.
+io::StaticsFound solve_statics(io::CaseFile& file) {
+    io::StaticsFound found;
+    for (const Adjustment& a : meet_targets(file.value, io::Link()))
+        found.notes.push_back(note_of(a, file.value));
+    const StaticsReport report = find_statics(file.value, {});
+    for (const std::string& warning : report.warnings) found.notes.push_back("warning: " + warning);
+    found.text = io::statics_summary(file.value, report);
+    found.report = io::statics_json(file.value, report);
+    return found;
+}
+
+/// `hawser statics`: one process, for it takes seconds.
 int statics(const io::CommandLine& line) {
-    const bool brief = line.command == io::CommandLine::Command::check;
     const io::CaseFile file = ready_case(line);
     const StaticsReport report = find_statics(file.value, line.statics);
     for (const std::string& warning : report.warnings) complain("warning: " + warning);
-    const std::string text = brief       ? io::statics_summary(file.value, report)
-                             : line.json ? io::statics_json(file.value, report)
-                                         : io::statics_text(file.value, report);
+    const std::string text = line.json ? io::statics_json(file.value, report).text() + "\n"
+                                       : io::statics_text(file.value, report);
     std::fputs(text.c_str(), stdout);
     if (!line.output_file.empty())
         io::write_atomically(line.output_file, io::statics_csv(file.value, report));
-    return static_cast<int>(ExitCode::done);
+    if (!report.curve || report.curve->ends.empty()) return static_cast<int>(ExitCode::done);
+    complain(report.curve->ends);
+    return static_cast<int>(ExitCode::no_equilibrium);
 }
 
 /// `hawser modes`, likewise.
@@ -159,10 +170,8 @@ int main(int argc, char** argv) {
         }
         if (!speaks && (line.command != Command::run || line.dry_run)) return 0;
         switch (line.command) {
-            case Command::check: {
-                const int checked = io::check_command(line);
-                return checked == 0 && line.with_statics ? statics(line) : checked;
-            }
+            case Command::check:
+                return io::check_command(line, solve_statics);
             case Command::statics:
                 return statics(line);
             case Command::modes:

@@ -35,9 +35,18 @@ struct PlatformAtRest {
     int iterations = 0;
 };
 
-/// The platform held at one offset; forces of the chosen lines on it.
+/// What may move freely while the platform is held at an offset: the way across it, then heave,
+/// roll, pitch and yaw.
+struct FreeMotions {
+    bool transverse = false, heave = true, roll = false, pitch = false, yaw = false;
+    [[nodiscard]] bool any() const { return transverse || heave || roll || pitch || yaw; }
+};
+
+/// The platform at one offset; forces of the chosen lines on it.
 struct OffsetPoint {
     double offset = 0.0;                 ///< [m]
+    PlatformMotion pose;                 ///< at which the free motions have settled
+    double across = 0.0;                 ///< to the left of the offset, where that is free [m]
     double restoring = 0.0;              ///< against the offset [N]
     double transverse = 0.0;             ///< to the left of the offset [N]
     double yaw_moment = 0.0;             ///< about the platform's reference point [N.m]
@@ -49,7 +58,9 @@ struct OffsetPoint {
 struct OffsetCurve {
     double heading = 0.0;    ///< [rad]
     std::vector<int> lines;  ///< that are summed
+    FreeMotions free;
     std::vector<OffsetPoint> points;
+    std::string ends;  ///< why there is no point at the next offset; empty: all were found
 };
 
 struct StaticsReport {
@@ -63,6 +74,8 @@ struct StaticsRequest {
     std::vector<double> offsets;  ///< [m]; empty: no curve
     double heading = 0.0;         ///< of the offsets [rad]
     std::string lines = "*";      ///< glob: which lines the curve sums
+    /// Along the curve; empty: heave for a curve of all lines, nothing for one of some lines
+    std::optional<FreeMotions> free = {};
 };
 
 /// The equilibrium that starts a run. Throws RunError (no_equilibrium, input) with the reason.

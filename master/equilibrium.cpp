@@ -82,9 +82,10 @@ Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
     Equilibrium at{.pose = start, .lines = {}};
     at.lines = lines_at(lines, start, current, describe);
     for (;; ++at.iterations) {
-        const Vec6 r = platform.load(at.pose) + total_wrench(at.lines);
+        const Vec6 r = platform.free * (platform.load(at.pose) + total_wrench(at.lines));
         Mat6 K = platform.stiffness(at.pose);
         for (const LineLoad& line : at.lines.lines) K += line.stiffness;
+        K = platform.free * K * platform.free;
         const NewtonStep step = newton_step(K, r, platform.length);
         at.force = r.head<3>().norm();
         at.moment = r.tail<3>().norm();

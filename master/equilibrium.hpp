@@ -18,6 +18,8 @@ struct StaticPlatform {
     double force = 1.0;  ///< scale of its loads, e.g. the weight [N]
     double length =
         1.0;  ///< lever arm that makes its rotations lengths, e.g. radius of gyration [m]
+    /// Orthogonal projection of (displacement, rotation vector) on what may move; the rest is held
+    Mat6 free = Mat6::Identity();
 };
 
 struct NewtonLimits {
@@ -42,8 +44,8 @@ using Describe = std::function<std::string(const Status&, const PlatformMotion&)
 ///     (K + sum S) dX = load + sum f,     pose <- pose moved by dX
 ///
 /// until the correction and what is out of balance are both within the tolerance. A direction in
-/// which nothing holds the platform keeps its place. A line that fails at the new pose is tried
-/// again at half the step.
+/// which nothing holds the platform, or one that is not free, keeps its place. A line that fails at
+/// the new pose is tried again at half the step.
 /// @param current  with (true) or without current on the lines
 /// @param describe words for a failing line
 /// Throws RunError (no_equilibrium) with the reason.

@@ -21,7 +21,11 @@ StaticsReport find_statics(const Case& input, const StaticsRequest& request) {
     };
     const std::unique_ptr<RestingLines> lines = make_resting_lines(input);
     if (!input.platform) {
+        if (!request.offsets.empty())
+            throw RunError(ExitCode::input,
+                           "--offset: there is no platform in this case to be moved");
         lines_at(*lines, PlatformMotion{}, input.analysis.statics.current, describe);
+        report.lines = lines->at_rest();
     } else {
         std::optional<HydroData> hydro;
         if (const auto& database = input.platform->hydrodynamics.database)
@@ -45,9 +49,10 @@ StaticsReport find_statics(const Case& input, const StaticsRequest& request) {
         for (std::size_t i = 0; i < 6; ++i) p.periods[i] = start.modes[i].period();
         p.added_mass_frequency = hull.radiation().frequency;
         p.iterations = start.iterations;
+        report.lines = lines->at_rest();
+        if (!request.offsets.empty())
+            report.curve = offset_curve(input, request, hull, *lines, describe);
     }
-    report.lines = lines->at_rest();
-    if (!request.offsets.empty()) report.curve = offset_curve(input, request, *lines, describe);
     return report;
 }
 

@@ -2,15 +2,23 @@
 #pragma once
 
 #include "equilibrium.hpp"
+#include "hull.hpp"
 #include "lines.hpp"
 #include "statics_report.hpp"
 
 namespace hawser::master {
 
-/// The platform is displaced along the heading, its other modes as at the design position, in still
-/// water. Throws RunError (no_equilibrium) where a line has no solution; (input) if no line is
-/// called as asked for.
-OffsetCurve offset_curve(const Case& input, const StaticsRequest& request, Lines& lines,
-                         const Describe& describe);
+/// The platform is moved along the heading from its design position, in still water. Of its other
+/// motions those that are free (StaticsRequest::free) settle under weight, buoyancy and all lines,
+/// the rest stay as at the design position. What holds it against the offset acts at its reference
+/// point. With e the direction of the offset and q the free motions,
+///
+///     restoring = -e . sum f,     slope = e . sum S (e + dq/dx),   dq/dx = -K_qq^-1 K_q. e
+///
+/// S and f of the chosen lines, K of hull and all lines. A point where a line has no solution, or
+/// the platform no equilibrium, ends the curve with the reason; of the first point it is thrown:
+/// RunError (no_equilibrium). Throws RunError (input) if no line is called as asked for.
+OffsetCurve offset_curve(const Case& input, const StaticsRequest& request, const Hull& hull,
+                         Lines& lines, const Describe& describe);
 
 }  // namespace hawser::master

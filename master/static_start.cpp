@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "coupled_modes.hpp"
-#include "equilibrium.hpp"
 #include "failure_message.hpp"
 #include "motion_names.hpp"
 #include "paper_rate.hpp"
@@ -55,6 +54,18 @@ std::string with_cause_in_the_hull(const std::string& failure, const std::string
 
 }  // namespace
 
+StaticPlatform platform_at_rest(const Case& input, const Hull& hull, const Statics& which) {
+    const double radius = std::sqrt(hull.body().inertia.trace() / (3.0 * hull.mass()));
+    const double weight = hull.mass() * input.environment.water.gravity;
+    return {.name = input.platform->name,
+            .load = [h = &hull,
+                     w = &which](const PlatformMotion& pose) { return h->static_load(pose, *w); },
+            .stiffness = [h = &hull, w = &which](
+                             const PlatformMotion& pose) { return h->static_stiffness(pose, *w); },
+            .force = std::max(weight, hull.acting_buoyancy()),
+            .length = std::max(1.0, radius)};
+}
+
 StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
     const Platform& platform = *input.platform;
     const Statics& statics = input.analysis.statics;
@@ -100,14 +111,7 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
         out.notes.push_back(unbalanced);
     }
 
-    const double radius = std::sqrt(hull.body().inertia.trace() / (3.0 * hull.mass()));
-    const StaticPlatform body{
-        .name = platform.name,
-        .load = [&](const PlatformMotion& pose) { return hull.static_load(pose, statics); },
-        .stiffness =
-            [&](const PlatformMotion& pose) { return hull.static_stiffness(pose, statics); },
-        .force = std::max(hull.mass() * g, hull.acting_buoyancy()),
-        .length = std::max(1.0, radius)};
+    const StaticPlatform body = platform_at_rest(input, hull, statics);
     NewtonLimits limits;
     limits.tolerance = statics.tolerance;
     limits.max_iterations = statics.max_iterations;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "equilibrium.hpp"
 #include "hull.hpp"
 #include "lines.hpp"
 #include "modes_report.hpp"
@@ -25,6 +26,10 @@ struct StaticStart {
     int iterations = 0;
     std::vector<std::string> notes;  ///< warnings
 };
+
+/// The hull's mean loads, with its scales: what an equilibrium is found with.
+/// @param which  the mean loads; must outlive the result, as the hull must
+StaticPlatform platform_at_rest(const Case& input, const Hull& hull, const Statics& which);
 
 /// Sets a mass of `auto`, (acting buoyancy - vertical static line loads at the design position in
 /// still water) / g, and finds the equilibrium. Throws RunError (no_equilibrium).

@@ -8,7 +8,6 @@
 
 #include "io/case_schema.hpp"
 #include "io/hydro_file.hpp"
-#include "io/json.hpp"
 
 namespace hawser::io {
 namespace {
@@ -19,7 +18,7 @@ const char* name_of(Severity severity) {
 }
 
 /// Problems as JSON, for editors and scripts.
-std::string json(const std::string& case_file, const Problems& problems) {
+Json json(const std::string& case_file, const Problems& problems) {
     Json list = Json::array();
     for (const Problem& p : problems) {
         Json one = Json::object();
@@ -39,7 +38,40 @@ std::string json(const std::string& case_file, const Problems& problems) {
         .put("errors", number(Severity::error))
         .put("warnings", number(Severity::warning))
         .put("problems", std::move(list));
-    return report.text() + "\n";
+    return report;
+}
+
+void print(const Json& report) { fmt::print("{}\n", report.text()); }
+
+/// A valid case whose statics are asked for too.
+int check_statics(const CommandLine& line, CaseFile& file, const SolveStatics& solve) {
+    const std::string name = line.case_file.string();
+    Json report = json(name, file.problems);
+    try {
+        const StaticsFound found = solve(file);
+        if (line.json) {
+            report.put("equilibrium", true).put("statics", found.report);
+            print(report);
+            return static_cast<int>(ExitCode::done);
+        }
+        for (const std::string& note : found.notes) fmt::print(stderr, "{}\n", note);
+        fmt::print("{}: valid. {} It has a static equilibrium.\n{}", name, count(file.problems),
+                   found.text);
+        return static_cast<int>(ExitCode::done);
+    } catch (const RunError& error) {
+        if (line.json) {
+            report.put("equilibrium", false).put("reason", error.what());
+            print(report);
+        } else {
+            std::fflush(stdout);
+            fmt::print(stderr, "{}: error: {}\n", name, error.what());
+            fmt::print(stderr, "{}: its keys are valid ({}), but it {}.\n", name,
+                       count(file.problems).substr(0, count(file.problems).size() - 1),
+                       error.code() == ExitCode::no_equilibrium ? "has no static equilibrium"
+                                                                : "cannot be solved");
+        }
+        return static_cast<int>(error.code());
+    }
 }
 
 }  // namespace
@@ -68,21 +100,25 @@ CaseFile read_and_check(const std::filesystem::path& path, const Overrides& over
     return file;
 }
 
-int check_command(const CommandLine& line) {
+int check_command(const CommandLine& line, const SolveStatics& solve) {
     try {
-        const CaseFile file = read_and_check(line.case_file, line.overrides);
-        if (line.json) {
-            std::fputs(json(line.case_file.string(), file.problems).c_str(), stdout);
-        } else if (line.echo) {
+        CaseFile file = read_and_check(line.case_file, line.overrides);
+        if (line.echo && !line.json) {
             std::fputs(file.resolved.c_str(), stdout);
-        } else {
+            if (!line.with_statics) return static_cast<int>(ExitCode::done);
+        } else if (!line.json) {
             for (const std::string& note : file.notes) fmt::print("{}\n", note);
+        }
+        if (line.with_statics) return check_statics(line, file, solve);
+        if (line.json) {
+            print(json(line.case_file.string(), file.problems));
+        } else {
             fmt::print("{}: valid. {}\n", line.case_file.string(), count(file.problems));
         }
         return static_cast<int>(ExitCode::done);
     } catch (const InputError& error) {
         if (line.json) {
-            std::fputs(json(line.case_file.string(), error.problems()).c_str(), stdout);
+            print(json(line.case_file.string(), error.problems()));
         } else {
             fmt::print(stderr, "{}\n", error.what());
         }

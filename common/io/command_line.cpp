@@ -16,7 +16,7 @@ constexpr const char* exit_codes =
 
 /// What the options are read into before it is known that all is well.
 struct Options {
-    std::string case_file, out, output_file, duration, seed, offset;
+    std::string case_file, out, output_file, duration, seed, offset, free;
     double heading = 0.0;
     std::vector<std::string> sets;
 };
@@ -74,9 +74,15 @@ void add_statics(CLI::App& app, Options& options, CommandLine& line) {
     add_case(statics, options);
     statics
         .add_option("--offset", options.offset,
-                    "Restoring curve: hold the platform at these offsets, FROM:TO:STEP or a list "
+                    "Restoring curve: bring the platform to these offsets, FROM:TO:STEP or a list "
                     "of metres, in still water")
         ->type_name("0:60:5");
+    statics
+        .add_option(
+            "--free", options.free,
+            "What settles at each offset, the rest is held as designed: some of transverse, "
+            "heave, roll, pitch, yaw; all; none (default heave; with --lines none)")
+        ->type_name("LIST");
     statics
         .add_option("--heading", options.heading,
                     "Direction of the offsets, counter-clockwise from +x (default 0)")
@@ -141,6 +147,25 @@ bool read_offsets(const std::string& text, std::vector<double>& out) {
     if (!(n >= 0.0 && n <= 1000.0)) return false;
     for (int i = 0; i <= static_cast<int>(n); ++i) out.push_back(numbers[0] + i * numbers[2]);
     return true;
+}
+
+/// "heave,pitch", "all", "none"; false if a word is none of the motions.
+bool read_free(const std::string& text, std::optional<FreeMotions>& to) {
+    FreeMotions& out = to.emplace(FreeMotions{.heave = false});
+    if (text == "none") return true;
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ',');) {
+        const bool all = word == "all";
+        bool known = all;
+        for (auto& [name, motion] : {std::pair("transverse", &out.transverse),
+                                     {"heave", &out.heave},
+                                     {"roll", &out.roll},
+                                     {"pitch", &out.pitch},
+                                     {"yaw", &out.yaw}})
+            if (all || word == name) *motion = known = true;
+        if (!known) return false;
+    }
+    return out.any();
 }
 
 void add_others(CLI::App& app, Options& options, CommandLine& line) {
@@ -238,6 +263,14 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
         line.message = fmt::format(
             "--offset {}: expected FROM:TO:STEP or a list in metres, e.g. --offset 0:60:5\n",
             options.offset);
+        return line;
+    }
+    if (!options.free.empty() && !read_free(options.free, line.statics.free)) {
+        line.finished = ExitCode::command_line;
+        line.message = fmt::format(
+            "--free {}: expected all, none, or some of transverse, heave, roll, pitch, yaw with "
+            "commas between, e.g. --free heave,pitch\n",
+            options.free);
         return line;
     }
     if (!options.duration.empty()) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "io/json.hpp"
 #include "io/statics_text.hpp"
 #include "io/summary.hpp"
 #include "motion_names.hpp"
@@ -96,9 +95,23 @@ Json curve_json(const Case& input, const OffsetCurve& curve) {
     Json points = Json::array(), names = Json::array();
     const auto name = [&](int i) { return input.lines[static_cast<std::size_t>(i)].name; };
     for (const int i : curve.lines) names.add(name(i));
+    const FreeMotions& f = curve.free;
+    Json free = Json::array();
+    for (const auto& [is_free, motion] : {std::pair(f.transverse, "transverse"),
+                                          {f.heave, "heave"},
+                                          {f.roll, "roll"},
+                                          {f.pitch, "pitch"},
+                                          {f.yaw, "yaw"}})
+        if (is_free) free.add(std::string(motion));
     for (const OffsetPoint& p : curve.points) {
         Json one = Json::object();
+        Json position = Json::object();
+        for (std::size_t i = 0; i < 6; ++i)
+            position.put(motion_names[i], i < 3 ? p.pose.position[static_cast<int>(i)]
+                                                : degrees * p.pose.angles[static_cast<int>(i) - 3]);
         one.put("offset", p.offset)
+            .put("position", std::move(position))
+            .put("across", p.across)
             .put("restoring", p.restoring)
             .put("transverse", p.transverse)
             .put("yaw_moment", p.yaw_moment)
@@ -112,13 +125,16 @@ Json curve_json(const Case& input, const OffsetCurve& curve) {
     Json out = Json::object();
     out.put("heading", degrees * curve.heading)
         .put("lines", std::move(names))
-        .put("points", std::move(points));
+        .put("free", std::move(free))
+        .put("points", std::move(points))
+        .put("complete", curve.ends.empty());
+    if (!curve.ends.empty()) out.put("ends", curve.ends);
     return out;
 }
 
 }  // namespace
 
-std::string statics_json(const Case& input, const StaticsReport& report) {
+Json statics_json(const Case& input, const StaticsReport& report) {
     Json out = Json::object();
     out.put("case", input.name).put("units", "SI, angles in degrees");
     if (report.platform) out.put("platform", platform_json(*report.platform));
@@ -128,7 +144,7 @@ std::string statics_json(const Case& input, const StaticsReport& report) {
     out.put("lines", std::move(lines));
     if (report.curve) out.put("restoring", curve_json(input, *report.curve));
     out.put("warnings", list(report.warnings));
-    return out.text() + "\n";
+    return out;
 }
 
 std::string statics_csv(const Case& input, const StaticsReport& report) {
@@ -136,11 +152,15 @@ std::string statics_csv(const Case& input, const StaticsReport& report) {
     if (report.curve) {
         std::string out =
             "offset [m],restoring [N],transverse [N],yaw_moment [N.m],slope [N/m],"
-            "least_tension [N],least_line,greatest_tension [N],greatest_line\n";
-        for (const OffsetPoint& p : report.curve->points)
-            out += fmt::format("{},{},{},{},{},{},{},{},{}\n", p.offset, p.restoring, p.transverse,
-                               p.yaw_moment, p.slope, p.least, name(p.least_line), p.greatest,
-                               name(p.greatest_line));
+            "least_tension [N],least_line,greatest_tension [N],greatest_line,across [m],heave [m],"
+            "roll [deg],pitch [deg],yaw [deg]\n";
+        for (const OffsetPoint& p : report.curve->points) {
+            const Vec3 turned = degrees * p.pose.angles;
+            out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", p.offset, p.restoring,
+                               p.transverse, p.yaw_moment, p.slope, p.least, name(p.least_line),
+                               p.greatest, name(p.greatest_line), p.across, p.pose.position.z(),
+                               turned.x(), turned.y(), turned.z());
+        }
         return out;
     }
     std::string out =

@@ -164,27 +164,63 @@ std::string constraints_text(const Case& input, const StaticsReport& report) {
     return any ? title("Constraints along the lines") + table.text() : "";
 }
 
+/// The motions beside the offset that were free, or those that were not.
+std::string motions_of(const FreeMotions& f, bool free) {
+    std::string out;
+    for (const auto& [is_free, name] : {std::pair(f.transverse, "transverse"),
+                                        {f.heave, "heave"},
+                                        {f.roll, "roll"},
+                                        {f.pitch, "pitch"},
+                                        {f.yaw, "yaw"}})
+        if (is_free == free) out += (out.empty() ? "" : ", ") + std::string(name);
+    return out;
+}
+
 std::string curve_text(const Case& input, const OffsetCurve& curve) {
+    const FreeMotions& f = curve.free;
     std::string out =
         title(fmt::format("Restoring towards {:g} deg, {} of {} lines, still water",
                           degrees * curve.heading, curve.lines.size(), input.lines.size()));
+    const std::string held = motions_of(f, false);
+    out += held.empty() ? "" : "held as designed: " + held + ". ";
+    out += f.any() ? "free, settled under weight, buoyancy and all lines: " + motions_of(f, true)
+                   : "nothing is free";
+    out += " (change with --free)\n";
     TextTable table;
     table.column("offset", "m");
     table.column("restoring", "kN");
-    table.column("transverse", "kN");
-    table.column("yaw moment", "kN.m");
     table.column("slope", "kN/m");
+    if (f.transverse) table.column("across", "m");
+    if (f.heave) table.column("heave", "m");
+    if (f.roll) table.column("roll", "deg");
+    if (f.pitch) table.column("pitch", "deg");
+    if (f.yaw) table.column("yaw", "deg");
+    if (!f.transverse) table.column("transverse", "kN");
+    if (!f.yaw) table.column("yaw moment", "kN.m");
     table.column("least tension", "kN");
     table.column("line");
     table.column("greatest", "kN");
     table.column("line");
-    for (const OffsetPoint& p : curve.points)
-        table.row(
-            {number(p.offset, 2), number(p.restoring / 1e3, 1), number(p.transverse / 1e3, 1),
-             number(p.yaw_moment / 1e3, 0), number(p.slope / 1e3, 1), number(p.least / 1e3, 1),
-             input.lines[static_cast<std::size_t>(p.least_line)].name, number(p.greatest / 1e3, 1),
-             input.lines[static_cast<std::size_t>(p.greatest_line)].name});
-    return out + table.text() + "tensions are those at end A\n";
+    for (const OffsetPoint& p : curve.points) {
+        std::vector<std::string> cells{number(p.offset, 2), number(p.restoring / 1e3, 1),
+                                       number(p.slope / 1e3, 1)};
+        const Vec3 turned = degrees * p.pose.angles;
+        if (f.transverse) cells.push_back(number(p.across, 3));
+        if (f.heave) cells.push_back(number(p.pose.position.z(), 3));
+        if (f.roll) cells.push_back(number(turned.x(), 3));
+        if (f.pitch) cells.push_back(number(turned.y(), 3));
+        if (f.yaw) cells.push_back(number(turned.z(), 3));
+        if (!f.transverse) cells.push_back(number(p.transverse / 1e3, 1));
+        if (!f.yaw) cells.push_back(number(p.yaw_moment / 1e3, 0));
+        cells.push_back(number(p.least / 1e3, 1));
+        cells.push_back(input.lines[static_cast<std::size_t>(p.least_line)].name);
+        cells.push_back(number(p.greatest / 1e3, 1));
+        cells.push_back(input.lines[static_cast<std::size_t>(p.greatest_line)].name);
+        table.row(std::move(cells));
+    }
+    return out + table.text() +
+           "restoring: what holds the platform there pulls as much, at its reference point. "
+           "slope: with the free motions following.\ntensions are those at end A\n";
 }
 
 std::string heading(const Case& input) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "case/case.hpp"
+#include "io/json.hpp"
 #include "statics_report.hpp"
 
 namespace hawser::io {
@@ -15,7 +16,7 @@ std::string statics_text(const Case& input, const StaticsReport& report);
 /// What a check wants to see of it: environment, platform, lines, each in a few columns.
 std::string statics_summary(const Case& input, const StaticsReport& report);
 
-std::string statics_json(const Case& input, const StaticsReport& report);
+Json statics_json(const Case& input, const StaticsReport& report);
 
 /// The restoring curve if there is one, else one row per line; SI, angles in degrees, units in the
 /// heads.

@@ -60,9 +60,44 @@ class RestoringCurve(unittest.TestCase):
             self.assertLess(abs(curve["transverse"]), 1e-6 * curve["restoring"])
 
     def test_has_the_slope_that_its_forces_have(self):
-        points = statics(SPAR, "--offset", "19.9:20.1:0.1", "--heading", "40")["restoring"]["points"]
-        slope = (points[2]["restoring"] - points[0]["restoring"]) / 0.2
-        self.assertAlmostEqual(points[1]["slope"] / slope, 1.0, delta=1e-4)  # differences: h^2
+        for free in ("none", "heave", "all"):
+            with self.subTest(free=free):
+                points = statics(SPAR, "--offset", "19.9:20.1:0.1", "--heading", "40", "--free", free)
+                points = points["restoring"]["points"]
+                slope = (points[2]["restoring"] - points[0]["restoring"]) / 0.2
+                self.assertAlmostEqual(points[1]["slope"] / slope, 1.0, delta=1e-4)  # differences: h^2
+
+    def test_leaves_in_balance_what_is_free_and_in_place_what_is_held(self):
+        """All six free but the offset: lines, weight and buoyancy balance, so that the restoring force has no
+        part across it and the curve is that of an equilibrium under a force along the heading."""
+        curve = statics(SPAR, "--offset", "30", "--free", "all")["restoring"]
+        self.assertEqual(curve["free"], ["transverse", "heave", "roll", "pitch", "yaw"])
+        point = curve["points"][0]
+        self.assertLess(abs(point["transverse"]), 1.0)
+        self.assertEqual(point["position"]["surge"], 30.0)
+        self.assertGreater(point["position"]["pitch"], 0.5)  # pulled back below the waterline
+        held = statics(SPAR, "--offset", "30", "--lines", "ml*")["restoring"]
+        self.assertEqual(held["free"], [])  # of some lines: the curve of these alone
+        self.assertEqual(held["points"][0]["position"],
+                         {"surge": 30, "sway": 0, "heave": 0, "roll": 0, "pitch": 0, "yaw": 0})
+
+    def test_says_what_is_held_and_what_is_free(self):
+        said = hawser("statics", SPAR, "--offset", "0,10").stdout
+        self.assertIn("held as designed: transverse, roll, pitch, yaw", said)
+        self.assertIn("free, settled under weight, buoyancy and all lines: heave", said)
+        said = hawser("statics", SPAR, "--offset", "0,10", "--lines", "ml*").stdout
+        self.assertIn("held as designed: transverse, heave, roll, pitch, yaw", said)
+
+    def test_ends_where_the_lines_end_and_keeps_what_was_found(self):
+        done = hawser("statics", SPAR, "--offset", "0,20,4000")
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("20.00  ", done.stdout)
+        self.assertIn("at an offset of 4000 m towards 0 deg: ", done.stderr)
+
+    def test_wants_a_platform(self):
+        done = hawser("statics", CHAIN, "--offset", "0,1")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("no platform", done.stderr)
 
     def test_can_be_written_as_csv(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -175,6 +210,22 @@ class Check(unittest.TestCase):
                       "environment.current={heading: 0 deg, profile: [[0 m, 1 m/s]]}")
         self.assertEqual(done.returncode, 4, done.stderr)
         self.assertIn("nothing holds the platform in surge", done.stderr)
+        # the reason first, then what is left to say; nowhere that all is well
+        self.assertNotIn("valid", done.stdout)
+        last = done.stderr.splitlines()[-1]
+        self.assertIn("keys are valid (0 errors, 0 warnings), but it has no static equilibrium", last)
+
+    def test_with_statics_is_one_json_document(self):
+        done = hawser("check", HEAVE, "--statics", "--json")
+        report = json.loads(done.stdout)
+        self.assertTrue(report["valid"] and report["equilibrium"])
+        self.assertEqual(report["statics"]["platform"]["name"], "spar")
+        done = hawser("check", HEAVE, "--statics", "--json", "--set",
+                      "environment.current={heading: 0 deg, profile: [[0 m, 1 m/s]]}")
+        self.assertEqual(done.returncode, 4)
+        report = json.loads(done.stdout)
+        self.assertTrue(report["valid"] and not report["equilibrium"])
+        self.assertIn("nothing holds the platform in surge", report["reason"])
 
     def refused(self, case, *settings):
         """What `check --statics` says when there is no equilibrium."""

@@ -46,6 +46,14 @@ def pushed(speed):
     return statics(*CALM, f"environment.wind.speed={speed} m/s")
 
 
+def curve(*arguments):
+    """The restoring curve of `hawser statics --offset`."""
+    done = subprocess.run([HAWSER, "statics", TLP, "--json", *arguments], capture_output=True, text=True,
+                          timeout=60)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)["restoring"]
+
+
 def periods(inertia, stiffness):
     return 2 * math.pi * math.sqrt(inertia / stiffness)
 
@@ -103,6 +111,28 @@ class Offset(unittest.TestCase):
             down = -report["platform"]["position"]["heave"]
             expected = TENDONS * PRETENSION + WATERPLANE * down
             self.assertAlmostEqual(-report["platform"]["line_load"][2] / expected, 1.0, delta=1e-3)
+
+
+class RestoringCurve(unittest.TestCase):
+    def test_goes_down_the_circle_of_the_tendons(self):
+        """As above: L - sqrt(L^2 - x^2) less 1.1 % of stretch; in any direction."""
+        for heading in (0, 30):
+            points = curve("--offset", "10:50:10", "--heading", str(heading))["points"]
+            for point in points:
+                x = point["offset"]
+                circle = L - math.sqrt(L**2 - x**2)
+                self.assertAlmostEqual(-point["position"]["heave"] / circle,
+                                       1 - WATERPLANE * L / (TENDONS * EA), delta=0.002)
+                self.assertEqual(point["position"]["pitch"], 0.0)
+
+    def test_with_heave_held_stretches_them(self):
+        """What `--free none` is: at 30 m each tendon is 1.083 m longer, 110 MN more; 2 % for what the
+        free one has stretched."""
+        free, held = (curve("--offset", "30", "--free", f)["points"][0] for f in ("heave", "none"))
+        stretch = math.hypot(30, L) - L
+        self.assertEqual(held["position"]["heave"], 0.0)
+        self.assertAlmostEqual(held["least_tension"] - free["least_tension"], EA / L * stretch,
+                               delta=0.02 * EA / L * stretch)
 
 
 class Pretension(unittest.TestCase):

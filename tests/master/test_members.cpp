@@ -48,6 +48,8 @@ TEST(Members, TowedColumnDragsByItsWettedArea) {
     EXPECT_NEAR(loads[Load::members][2],
                 -0.5 * rho * 0.25 * (0.02 * 40 * 70 + 0.6 * M_PI / 4 * 1600), 1e-6);
     EXPECT_NEAR(loads[Load::members][4], -q * 1.5 * -35, 1e-9 * q * 35);  // at mid draft
+    EXPECT_NEAR(hull.loads(0, moving({0, 0, -0.5}))[Load::members][2],    // sinking: upwards
+                -loads[Load::members][2], 1e-6);
 }
 
 TEST(Members, CurrentOnTheSparIsThatOfThePapersProfile) {  // case notes: 3.3 MN on the hard tank
@@ -69,6 +71,39 @@ TEST(Members, CurrentOnTheSparIsThatOfThePapersProfile) {  // case notes: 3.3 MN
     EXPECT_NEAR(hull.loads(0, s)[Load::current][0], force, 3e-4 * force);
     EXPECT_NEAR(hull.static_load({}, Statics{})[0], force, 3e-4 * force);
     EXPECT_NEAR(hull.loads(0, s)[Load::members][0], 0, 1e-6);  // nothing beside the current
+}
+
+TEST(Members, EachEndFaceFeelsTheWaterWhereItIs) {
+    Case c = bare_case();
+    // one metre a second down to 20 m, nothing from 30 m on; the member leans by 45 degrees
+    c.environment.current = Current{.profile = {{0, 1.0, {}}, {20, 1.0, {}}, {30, 0, {}}}};
+    Member m{.name = "brace", .from = {0, 0, -10}, .to = {30, 0, -40}, .diameter = 2};
+    m.inertia = false, m.Cd = 0.0;
+    const auto push = [&] {
+        c.platform->members = {m};
+        return Vec6(Hull(c, nullptr).loads(0, State::Zero())[Load::current]);
+    };
+    m.end_Cd_to = 0.8;
+    EXPECT_EQ(push().norm(), 0.0);  // in still water
+    std::swap(m.end_Cd_to, m.end_Cd_from);
+    const Vec3 along = Vec3(1, 0, -1).normalized();
+    const Vec3 force = 0.5 * rho * 0.8 * M_PI * 0.5 * along;  // of the part sqrt(1/2) m/s
+    const Vec6 load = push();
+    EXPECT_LT((load.head<3>() - force).norm(), 1e-9 * force.norm());
+    EXPECT_NEAR(load[4], -10 * force.x(), 1e-9 * 10 * force.x());
+}
+
+TEST(Members, FacesAndPlatesInTheAirFeelNothing) {
+    Case c = bare_case();
+    Member m = column(19, -3, 4);
+    m.Cd = 0.0, m.end_Cd_from = 0.9;  // its upper face
+    c.platform->members = {m};
+    c.platform->plates = {
+        {.name = "deck", .position = {0, 0, 12}, .area = 900, .Cd = 5, .added_mass = 1e6}};
+    const HullLoads dry = Hull(c, nullptr).loads(0, moving({0, 0, 2}, {0.1, 0.1, 0}));
+    EXPECT_EQ(dry[Load::members].norm(), 0.0);
+    EXPECT_EQ(dry[Load::plates].norm(), 0.0);
+    EXPECT_EQ(dry.plate_added_mass.norm(), 0.0);
 }
 
 TEST(Members, DragSwitchesTakeOutWavesOrCurrent) {

@@ -16,6 +16,7 @@ struct ConstraintLayout {
     ConstraintType type;
     bool gap;  ///< of a slider: contact instead of a spring
     std::size_t path, cylinders;
+    int other;  ///< of a tie: which line of the bundle; -1: none
     bool operator==(const ConstraintLayout&) const = default;
 };
 
@@ -29,12 +30,17 @@ struct Layout {
     bool operator==(const Layout&) const = default;
 };
 
-Layout layout_of(const Line& line, LineModel usual) {
+Layout layout_of(const Line& line, const std::vector<int>& bundle, LineModel usual) {
     const LineMesh mesh = mesh_of(line);
     std::vector<ConstraintLayout> constraints;
     for (const LineConstraint& c : line.constraints)
         constraints.push_back({c.type, c.type == ConstraintType::slider && c.gap > 0.0,
-                               c.path.size(), c.cylinders.size()});
+                               c.path.size(), c.cylinders.size(),
+                               c.other_line < 0
+                                   ? -1
+                                   : static_cast<int>(std::lower_bound(bundle.begin(), bundle.end(),
+                                                                       c.other_line) -
+                                                      bundle.begin())});
     return {.model = line.model.value_or(usual),
             .elements = mesh.elements(),
             .end_a = line.end_a.kind,
@@ -57,41 +63,87 @@ double cost_of(const Layout& layout, double step, double D) {
 
 }  // namespace
 
-std::vector<Pack> packs_of(const Case& input) {
-    std::vector<Pack> packs;
-    std::vector<Layout> layouts;
-    for (int i = 0; i < static_cast<int>(input.lines.size()); ++i) {
-        const Line& line = input.lines[static_cast<std::size_t>(i)];
-        const Layout layout = layout_of(line, input.analysis.dynamics.line_model);
-        std::size_t p = 0;
-        while (p < packs.size() &&
-               !(layouts[p] == layout && packs[p].lines.size() < lanes_per_pack))
-            ++p;
-        if (p == packs.size()) {
-            packs.push_back({});
-            layouts.push_back(layout);
+std::vector<std::vector<int>> bundles_of(const Case& input) {
+    const int count = static_cast<int>(input.lines.size());
+    std::vector<int> first(input.lines.size());  // lowest line of each line's bundle
+    std::iota(first.begin(), first.end(), 0);
+    for (int i = 0; i < count; ++i) {
+        for (const LineConstraint& c : input.lines[static_cast<std::size_t>(i)].constraints) {
+            if (c.other_line < 0) continue;
+            const int a = first[static_cast<std::size_t>(i)],
+                      b = first[static_cast<std::size_t>(c.other_line)];
+            std::replace(first.begin(), first.end(), std::max(a, b), std::min(a, b));
         }
-        packs[p].lines.push_back(i);
-        const double step = std::min(line.time_step.value_or(input.analysis.dynamics.line_step),
-                                     input.analysis.dynamics.line_step);
-        packs[p].cost =
-            std::max(packs[p].cost, cost_of(layout, step, input.analysis.dynamics.platform_step));
+    }
+    std::vector<std::vector<int>> bundles;
+    for (int i = 0; i < count; ++i) {
+        if (first[static_cast<std::size_t>(i)] != i) continue;
+        bundles.emplace_back();
+        for (int k = i; k < count; ++k)
+            if (first[static_cast<std::size_t>(k)] == i) bundles.back().push_back(k);
+    }
+    return bundles;
+}
+
+std::vector<Pack> packs_of(const Case& input) {
+    struct Group {
+        std::vector<Layout> layouts;  ///< of the bundle's lines
+        std::vector<std::vector<int>> bundles;
+    };
+    std::vector<Group> groups;
+    for (const std::vector<int>& bundle : bundles_of(input)) {
+        std::vector<Layout> layouts;
+        for (const int i : bundle)
+            layouts.push_back(layout_of(input.lines[static_cast<std::size_t>(i)], bundle,
+                                        input.analysis.dynamics.line_model));
+        const auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+            return g.layouts == layouts && g.bundles.size() < lanes_per_pack;
+        });
+        if (group == groups.end())
+            groups.push_back({std::move(layouts), {bundle}});
+        else
+            group->bundles.push_back(bundle);
+    }
+    const Dynamics& dynamics = input.analysis.dynamics;
+    std::vector<Pack> packs;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        double step = dynamics.line_step;  // of the group: the shortest of its lines'
+        for (const std::vector<int>& bundle : groups[g].bundles)
+            for (const int i : bundle)
+                step = std::min(step,
+                                input.lines[static_cast<std::size_t>(i)].time_step.value_or(step));
+        for (std::size_t k = 0; k < groups[g].layouts.size(); ++k) {
+            Pack pack{.lines = {},
+                      .cost = cost_of(groups[g].layouts[k], step, dynamics.platform_step),
+                      .group = static_cast<int>(g)};
+            for (const std::vector<int>& bundle : groups[g].bundles)
+                pack.lines.push_back(bundle[k]);
+            packs.push_back(std::move(pack));
+        }
     }
     return packs;
 }
 
 std::vector<int> assign(const std::vector<Pack>& packs, int workers) {
-    std::vector<std::size_t> order(packs.size());
+    std::vector<double> cost;  // of the groups
+    for (const Pack& pack : packs) {
+        cost.resize(static_cast<std::size_t>(pack.group) + 1, 0.0);
+        cost.back() += pack.cost;
+    }
+    std::vector<std::size_t> order(cost.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return packs[a].cost > packs[b].cost; });
+                     [&](std::size_t a, std::size_t b) { return cost[a] > cost[b]; });
     std::vector<double> load(static_cast<std::size_t>(workers), 0.0);
-    std::vector<int> worker(packs.size(), 0);
-    for (const std::size_t p : order) {
+    std::vector<int> of_group(cost.size(), 0);
+    for (const std::size_t g : order) {
         const auto least = std::min_element(load.begin(), load.end());
-        *least += packs[p].cost;
-        worker[p] = static_cast<int>(least - load.begin());
+        *least += cost[g];
+        of_group[g] = static_cast<int>(least - load.begin());
     }
+    std::vector<int> worker;
+    for (const Pack& pack : packs)
+        worker.push_back(of_group[static_cast<std::size_t>(pack.group)]);
     return worker;
 }
 

@@ -18,10 +18,20 @@ LocalLines::LocalLines(const Case& input, const std::vector<int>& packs, io::Ser
            !input.analysis.statics.current) {
     const std::vector<Pack> all = packs_of(input);
     std::vector<int> lines;
-    for (const int p : packs) {
-        const Pack& pack = all[static_cast<std::size_t>(p)];
+    std::vector<std::size_t> size;  // of each group
+    packs_.reserve(packs.size());   // the groups refer to them
+    for (std::size_t k = 0; k < packs.size(); ++k) {
+        const Pack& pack = all[static_cast<std::size_t>(packs[k])];
         packs_.emplace_back(input, sea_, pack.lines);
         lines.insert(lines.end(), pack.lines.begin(), pack.lines.end());
+        if (k == 0 || pack.group != all[static_cast<std::size_t>(packs[k - 1])].group)
+            size.push_back(0);
+        ++size.back();
+    }
+    std::size_t first = 0;
+    for (const std::size_t n : size) {
+        groups_.emplace_back(std::span(packs_).subspan(first, n));
+        first += n;
     }
     std::sort(lines.begin(), lines.end());
     for (const RodPack<Quad>& pack : packs_) {
@@ -47,28 +57,32 @@ void LocalLines::send(const Order& order) {
 const Reply& LocalLines::receive() {
     reply_.status = {};
     const MotionSpline platform(order_.t0, order_.from, order_.t1, order_.to);
-    for (std::size_t p = 0; p < packs_.size(); ++p) {
-        RodPack<Quad>& pack = packs_[p];
-        if (order_.ask == Ask::run_to) take_status(pack.pass(order_.t0, order_.t1, platform));
+    std::size_t p = 0;
+    for (RodGroup<Quad>& group : groups_) {
+        if (order_.ask == Ask::run_to) take_status(group.pass(order_.t0, order_.t1, platform));
         if (order_.ask == Ask::equilibrium)
-            take_status(pack.equilibrium(order_.to, order_.current));
-        if (order_.ask == Ask::impedance) pack.swing(order_.frequency);
-        for (int i = 0; i < static_cast<int>(pack.lines().size()); ++i) {
-            LineLoad& load = reply_.lines[place_[p][static_cast<std::size_t>(i)]];
-            load.wrench = pack.pass_wrench(i);
-            load.end_tension = pack.tension_a(i);
-            load.mismatch_at = -1;
-            load.impulse_mismatch = 0.0;
-            for (int c = 0; c < pack.constraint_count(); ++c) {
-                const double mismatch = pack.impulse_mismatch(i, c);
-                if (load.mismatch_at < 0 || mismatch > load.impulse_mismatch)
-                    load.impulse_mismatch = mismatch, load.mismatch_at = c;
+            take_status(group.equilibrium(order_.to, order_.current));
+        if (order_.ask == Ask::impedance) group.swing(order_.frequency);
+        for (std::size_t k = 0; k < group.packs().size(); ++k, ++p) {
+            for (int i = 0; i < static_cast<int>(place_[p].size()); ++i) {
+                LineLoad& load = reply_.lines[place_[p][static_cast<std::size_t>(i)]];
+                load = load_of(packs_[p], i);
+                if (order_.ask == Ask::equilibrium || order_.ask == Ask::impedance)
+                    load.stiffness = group.stiffness(k, i, order_.to.position);
             }
-            if (order_.ask == Ask::equilibrium || order_.ask == Ask::impedance)
-                load.stiffness = pack.stiffness(i, order_.to.position);
         }
     }
     return reply_;
+}
+
+LineLoad LocalLines::load_of(const RodPack<Quad>& pack, int lane) const {
+    LineLoad load{.wrench = pack.pass_wrench(lane), .end_tension = pack.tension_a(lane)};
+    for (int c = 0; c < pack.constraint_count(); ++c) {
+        const double mismatch = pack.impulse_mismatch(lane, c);
+        if (load.mismatch_at < 0 || mismatch > load.impulse_mismatch)
+            load.impulse_mismatch = mismatch, load.mismatch_at = c;
+    }
+    return load;
 }
 
 std::vector<LineAtRest> LocalLines::at_rest() const {

@@ -7,7 +7,7 @@
 #include "environment/sea.hpp"
 #include "line_samples.hpp"
 #include "resting_lines.hpp"
-#include "rod/rod_pack.hpp"
+#include "rod/rod_group.hpp"
 
 namespace hawser::worker {
 
@@ -26,10 +26,12 @@ class LocalLines final : public RestingLines {
 
  private:
     void take_status(const Status& status);
+    [[nodiscard]] LineLoad load_of(const RodPack<Quad>& pack, int lane) const;
 
     const Case* input_;
     Sea sea_;
     std::vector<RodPack<Quad>> packs_;
+    std::vector<RodGroup<Quad>> groups_;  ///< of packs_, side by side
     LineSamples samples_;
     Order order_;
     /// Where lane i of pack p stands in the reply: ascending line order of this process.

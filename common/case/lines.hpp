@@ -77,7 +77,8 @@ struct Section {
     bool operator==(const Section&) const = default;
 };
 
-enum class EndKind { platform, anchor, fixed, free };
+/// `line`: tied to a point of another line, by a constraint of the line (LineConstraint::is_end).
+enum class EndKind { platform, anchor, fixed, free, line };
 /// `spring`: the end is free and held by a spring-damper; no key of the case file makes one yet.
 enum class Joint { ball, clamped, flex, spring };
 
@@ -135,7 +136,9 @@ struct LineConstraint {
     ConstraintType type = ConstraintType::guide;
     std::string name;
     bool on_platform = true;
-    int other_line = -1;                      ///< slider: index of the line it joins; -1: none
+    int other_line = -1;    ///< slider, ball joint: index of the line that it ties to; -1: none
+    double other_arc = 0.0;  ///< ball joint: place on that line, arc length from its end A [m]
+    bool is_end = false;     ///< ties an end of the line (EndKind::line)
     Vec3 position = Vec3::Zero();             ///< platform axes, or world [m]
     Vec3 axis = Vec3::UnitZ();                ///< unit, same axes
     std::optional<double> arc_length = {};    ///< material point held; empty: what passes the place

@@ -11,24 +11,6 @@ namespace hawser::worker {
 
 namespace {
 
-/// A_i(xi) of r_a, r'_a, r_b, r'_b, and their derivatives w_i in arc length: r = A_i q_i, r' = w_i
-/// q_i with q = (r_a, r'_a, r_b, r'_b).
-template <class V>
-struct PointShape {
-    V A[4], w[4];
-    PointShape(V x, V L) {
-        const V x2 = x * x, x3 = x2 * x;
-        A[0] = V(1.0) - V(3.0) * x2 + V(2.0) * x3;
-        A[1] = L * (x - V(2.0) * x2 + x3);
-        A[2] = V(3.0) * x2 - V(2.0) * x3;
-        A[3] = L * (x3 - x2);
-        w[2] = V(6.0) * (x - x2) / L;
-        w[0] = -w[2];
-        w[1] = V(1.0) - V(4.0) * x + V(3.0) * x2;
-        w[3] = V(3.0) * x2 - V(2.0) * x;
-    }
-};
-
 /// Points where a declared constraint touches: one, or those of a pull tube's path, each with the
 /// mean direction of the pieces of path beside it as its axis.
 std::vector<LineConstraint> contact_points(const LineConstraint& declared) {
@@ -70,11 +52,39 @@ void RodPack<V>::set_constraints(const Case& input) {
                 PlacedConstraint<V>& to = constraints_[first + k];
                 to.declared = static_cast<int>(c);
                 to.cylinders.resize(points[k].cylinders.size());
-                LaneTraits<V>::set(to.on_platform, i, points[k].on_platform ? 1.0 : 0.0);
+                const bool tied = points[k].other_line >= 0;
+                to.tied = tied;
+                to.is_end_a = points[k].is_end && *points[k].arc_length == 0.0;
+                to.is_end_b = points[k].is_end && !to.is_end_a;
+                LaneTraits<V>::set(to.on_platform, i,
+                                   points[k].on_platform && !tied ? 1.0 : 0.0);
                 to.at.push_back(std::move(points[k]));
             }
         }
         for (std::size_t k = first; k < constraints_.size(); ++k) set_laws(constraints_[k]);
+    }
+    // What other rods are tied to: a place of this rod that takes the opposite force
+    for (int i = 0; i < lanes; ++i) {
+        std::size_t n = static_cast<std::size_t>(std::count_if(
+            constraints_.begin(), constraints_.end(), [](const auto& c) { return !c.mirror; }));
+        const int its =
+            lines_[static_cast<std::size_t>(i) < lines_.size() ? static_cast<std::size_t>(i) : 0];
+        for (std::size_t l = 0; l < input.lines.size(); ++l) {
+            for (std::size_t k = 0; k < input.lines[l].constraints.size(); ++k) {
+                const LineConstraint& tie = input.lines[l].constraints[k];
+                if (tie.other_line != its) continue;
+                if (i == 0) {
+                    constraints_.resize(n + 1);
+                    PlacedConstraint<V>& to = constraints_[n];
+                    to.declared = -1, to.mirror = true;
+                    to.of_line = static_cast<int>(l), to.of_constraint = static_cast<int>(k);
+                    to.law = HeldPoint<V>{};
+                }
+                LineConstraint place{.type = tie.type, .name = tie.name, .on_platform = false};
+                if (tie.type != ConstraintType::slider) place.arc_length = tie.other_arc;
+                constraints_[n++].at.push_back(std::move(place));
+            }
+        }
     }
 }
 
@@ -234,6 +244,8 @@ void RodPack<V>::locate(PlacedConstraint<V>& c, int lane, bool search) const {
     double xi = T::get(c.xi, lane);
     if (at.arc_length) {
         std::tie(element, xi) = element_at(lane, *at.arc_length);
+    } else if (c.mirror) {
+        return;  // found by the group: the nearest to the other rod's point
     } else if (search || !holds_a_point(at.type)) {
         const Vec3 X = lane_vector(c.place, lane), k = lane_vector(c.axis, lane);
         if (search) {  // the crossing of the plane that lies nearest to the place
@@ -307,7 +319,7 @@ void RodPack<V>::place_constraints(const RodState<V>& before, V t_before, V t,
 }
 
 template <class V>
-void RodPack<V>::evaluate_constraints(V a1) {
+void RodPack<V>::find_points() {
     using T = LaneTraits<V>;
     for (PlacedConstraint<V>& c : constraints_) {
         // the rod's point of each lane: its two nodes side by side
@@ -328,11 +340,20 @@ void RodPack<V>::evaluate_constraints(V a1) {
         const auto sum = [](const V(&w)[4], const Vector<V>(&x)[4]) {
             return w[0] * x[0] + w[1] * x[1] + w[2] * x[2] + w[3] * x[3];
         };
-        const Vector<V> r = sum(at.A, q), v = sum(at.A, rate);
+        c.point = sum(at.A, q), c.rate = sum(at.A, rate), c.slope = sum(at.w, q);
+    }
+}
+
+template <class V>
+void RodPack<V>::apply_laws(V a1) {
+    for (PlacedConstraint<V>& c : constraints_) {
+        if (c.mirror) continue;
+        const Vector<V>& r = c.point;
         ConstraintMotion<V>& m = c.motion;
         m.g = r - c.place;
-        // against the platform's own point there; a place on the earth stands still
-        m.g_rate = v - c.on_platform * (hull_.velocity + cross(hull_.spin, r - hull_.origin));
+        // against the platform's own point there, or another rod's; the earth stands still
+        m.g_rate = c.rate - c.on_platform * (hull_.velocity + cross(hull_.spin, r - hull_.origin));
+        if (c.tied) m.g_rate -= c.place_rate;
         m.k = c.axis;
         m.friction = c.friction;
         m.slide = dot(m.g, m.k) - c.slide_start;
@@ -347,8 +368,6 @@ void RodPack<V>::evaluate_constraints(V a1) {
             softer.add(part, c.reading.load.stiffness);
             c.reading.load.stiffness = softer;
         }
-        c.point = r;
-        c.slope = sum(at.w, q);
         if (law_on_)
             c.joint_load = std::visit(
                 [&](const auto& law) { return load(law, c.slope, c.joint_axis); }, c.joint);
@@ -392,7 +411,7 @@ void RodPack<V>::carry_constraints() {
     // The force at the solution of the linear system: f + Kt sum A_i d_i (x changes by -d)
     using T = LaneTraits<V>;
     for (PlacedConstraint<V>& c : constraints_) {
-        Vector<V> moved, turned;
+        Vector<V> turned;
         for (int i = 0; i < lanes; ++i) {
             const auto e = static_cast<std::size_t>(T::get(c.element, i));
             const PointShape<double> at(T::get(c.xi, i), T::get(properties_[e].L, i));
@@ -404,10 +423,10 @@ void RodPack<V>::carry_constraints() {
                              w[2] * T::get(db[p], i) + w[3] * T::get(db[3 + p], i);
                 return out;
             };
-            set_lane_vector(moved, i, sum(at.A));
+            set_lane_vector(c.moved, i, sum(at.A));
             set_lane_vector(turned, i, sum(at.w));
         }
-        c.force = c.reading.load.force + c.reading.load.stiffness * moved;
+        c.force = c.reading.load.force + c.reading.load.stiffness * c.moved;
         c.slope_force = c.joint_load.force + c.joint_load.stiffness * turned;
         c.moment = cross(c.slope, c.slope_force);
     }
@@ -432,14 +451,16 @@ V RodPack<V>::constraint_misfit() const {
 template void RodPack<Single>::set_constraints(const Case&);
 template void RodPack<Single>::place_constraints(const RodState<Single>&, Single, Single,
                                                  const MotionSpline&, bool);
-template void RodPack<Single>::evaluate_constraints(Single);
+template void RodPack<Single>::find_points();
+template void RodPack<Single>::apply_laws(Single);
 template void RodPack<Single>::add_constraints(std::size_t, ElementSystem<Single>&) const;
 template void RodPack<Single>::carry_constraints();
 template Single RodPack<Single>::constraint_misfit() const;
 template void RodPack<Quad>::set_constraints(const Case&);
 template void RodPack<Quad>::place_constraints(const RodState<Quad>&, Quad, Quad,
                                                const MotionSpline&, bool);
-template void RodPack<Quad>::evaluate_constraints(Quad);
+template void RodPack<Quad>::find_points();
+template void RodPack<Quad>::apply_laws(Quad);
 template void RodPack<Quad>::add_constraints(std::size_t, ElementSystem<Quad>&) const;
 template void RodPack<Quad>::carry_constraints();
 template Quad RodPack<Quad>::constraint_misfit() const;

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "rod/lane_access.hpp"
-#include "rod/rod_pack.hpp"
+#include "rod/rod_group.hpp"
 
 namespace hawser::worker {
 
@@ -78,39 +78,49 @@ void RodPack<V>::current_at(double t, const MotionSpline& platform) {
 }
 
 template <class V>
-auto RodPack<V>::still_attempt(Mask wanted, double t0, double t1, V t, const MotionSpline& platform)
-    -> Mask {
+void RodPack<V>::begin_still_attempt(V t, const MotionSpline& platform) {
     end_a_ = end_values(place_a_, kept_.head().axis_a, t, platform);
     end_b_ = end_values(place_b_, kept_.head().axis_b, t, platform);
     if (place_a_.prescribed()) trial_.back().r = end_a_.position;
     if (place_b_.prescribed()) trial_.front().r = end_b_.position;
     friction_on_ = true;
+}
 
+template <class V>
+auto RodGroup<V>::still_attempt(Mask wanted, double t0, double t1, V t,
+                                const MotionSpline& platform) -> Mask {
+    for (RodPack<V>& p : packs_) p.begin_still_attempt(t, platform);
     Mask iterating = wanted, solved = LaneTraits<V>::none();
-    RodHead<V>& head = working_.head();
+    const NewtonControl& newton = packs_.front().newton;
     for (int i = 0; i < newton.still_iterations && any(iterating); ++i) {
-        V correction, finite;
-        // the first correction brings every point to within centimetres of its place
-        if (i < 2) current_at(t1, platform);
         Mask fits = wanted;
-        if (!curves_.empty()) fits = follow_curves(iterating, &kept_, V(t1 - t0));
-        if (!constraints_.empty()) {
-            place_constraints(kept_, V(t0), t, platform, false);
-            evaluate_constraints(V(0.0));
+        for (RodPack<V>& p : packs_) {
+            // the first correction brings every point to within centimetres of its place
+            if (i < 2) p.current_at(t1, platform);
+            if (!p.curves_.empty())
+                fits = fits & p.follow_curves(iterating, &p.kept_, V(t1 - t0));
         }
+        place(&RodPack<V>::kept_, V(t0), t, platform, false);
+        evaluate(V(0.0));
         solve(V(0.0), V(0.0));
         const V part(i < whole_corrections ? 1.0 : 0.5);
-        update_trial(iterating, V(0.0), V(0.0), part, V(longest_correction), correction, finite);
-        head.force_a = select(iterating, reaction_a_, head.force_a);
-        head.force_b = select(iterating, reaction_b_, head.force_b);
-        head.moment_a = select(iterating, moment_a_, head.moment_a);
-        head.moment_b = select(iterating, moment_b_, head.moment_b);
-        if (!constraints_.empty()) {
-            evaluate_constraints(V(0.0));
-            settle_constraints(iterating);
+        Mask sound = iterating, done = iterating;
+        for (RodPack<V>& p : packs_) {
+            V correction, finite;
+            p.update_trial(iterating, V(0.0), V(0.0), part, V(longest_correction), correction,
+                           finite);
+            RodHead<V>& head = p.working_.head();
+            head.force_a = select(iterating, p.reaction_a_, head.force_a);
+            head.force_b = select(iterating, p.reaction_b_, head.force_b);
+            head.moment_a = select(iterating, p.moment_a_, head.moment_a);
+            head.moment_b = select(iterating, p.moment_b_, head.moment_b);
+            sound = sound & (finite <= V(0.0));
+            done = done & (correction <= V(newton.still_tolerance));
         }
-        const Mask sound = iterating & (finite <= V(0.0));
-        const Mask done = sound & fits & (correction <= V(newton.still_tolerance));
+        evaluate(V(0.0));
+        for (RodPack<V>& p : packs_)
+            if (!p.constraints_.empty()) p.settle_constraints(iterating);
+        done = done & sound & fits;
         solved = solved | done;
         iterating = sound & !done;
     }
@@ -118,88 +128,42 @@ auto RodPack<V>::still_attempt(Mask wanted, double t0, double t1, V t, const Mot
 }
 
 template <class V>
-Status RodPack<V>::still_pass(double t0, double t1, const MotionSpline& platform) {
-    using T = LaneTraits<V>;
+void RodPack<V>::begin_still_pass(double t0, double t1) {
     static_ = true;
     working_ = kept_;
     begin_impulses(t1 - t0);
     ++work_.passes;
     ++work_.steps;
     work_.rod_time += t1 - t0;
-    const double H = t1 - t0;
-    released_ = T::none(), dead_ = V(-1.0);
+    released_ = LaneTraits<V>::none(), dead_ = V(-1.0);
     if (winds_) pay_out(V(t1));
-    prepare_material(kept_, V(H));
-
-    // Straight to t1 as a rule; a lane that fails goes there in parts of the platform's way, which
-    // lead Newton's iteration and leave no other trace.
-    struct Walk {
-        double reached = 0.0, part = 1.0;
-        int tried = 0;
-    };
-    std::array<Walk, static_cast<std::size_t>(lanes)> walk;
-    Mask active = used_, solved = T::none(), fresh = used_;
-    Status failed;
+    prepare_material(kept_, V(t1 - t0));
     const NodeState<V>* before = kept_.nodes();
     for (std::size_t n = 0; n < trial_.size(); ++n)
         reached_[n] = {.r = before[n].r, .d = before[n].d, .v = {}, .vd = {}, .a = {}, .ad = {}};
     for (std::size_t i = 0; i < lambda_.size(); ++i) reached_lambda_[i] = kept_.lambda()[i].now;
+}
 
-    while (any(active)) {
-        V t(t1);
-        for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
-            const Walk& w = walk[static_cast<std::size_t>(i)];
-            const double q = w.reached + w.part;
-            T::set(t, i, q < 1.0 ? t0 + q * H : t1);
-        }
-        start_still(fresh, V(H));
-        for (int i = 0; i < static_cast<int>(lines_.size()) && !constraints_.empty(); ++i)
-            if (T::get(active, i))
-                carry_with_hull(
-                    i, platform.at(t0 + walk[static_cast<std::size_t>(i)].reached * H).motion,
-                    platform.at(T::get(t, i)).motion);
-        const Mask found = still_attempt(active, t0, t1, t, platform);
-        const Mask untrue = found & false_equilibria();
-        const Mask good = found & !untrue;
-        for (std::size_t n = 0; n < trial_.size(); ++n) {
-            reached_[n].r = select(good, trial_[n].r, reached_[n].r);
-            reached_[n].d = select(good, trial_[n].d, reached_[n].d);
-        }
-        for (std::size_t i = 0; i < lambda_.size(); ++i)
-            reached_lambda_[i] = select(good, lambda_[i], reached_lambda_[i]);
-        keep_constraints(good, V(H), kept_, working_);
-        fresh = T::none();
-        for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
-            if (!T::get(active, i)) continue;
-            Walk& w = walk[static_cast<std::size_t>(i)];
-            ++w.tried;
-            if (T::get(good, i)) {
-                w.reached += w.part;
-                if (w.reached >= 1.0) {
-                    T::set(solved, i, true);
-                    T::set(active, i, false);
-                }
-            } else if (w.tried < newton.still_parts) {
-                if (w.tried > 1) w.part *= 0.5;  // once again from the kept shape itself
-            } else {
-                Mask bad = T::none();
-                T::set(bad, i, true);
-                if (failed.ok() || lines_[static_cast<std::size_t>(i)] < failed.line)
-                    failed = status_of(bad,
-                                       T::get(untrue, i) ? Status::Code::false_equilibrium
-                                                         : Status::Code::no_equilibrium,
-                                       T::get(t, i));
-                T::set(active, i, false);
-            }
-        }
+template <class V>
+void RodPack<V>::reach(Mask good) {
+    for (std::size_t n = 0; n < trial_.size(); ++n) {
+        reached_[n].r = select(good, trial_[n].r, reached_[n].r);
+        reached_[n].d = select(good, trial_[n].d, reached_[n].d);
     }
+    for (std::size_t i = 0; i < lambda_.size(); ++i)
+        reached_lambda_[i] = select(good, lambda_[i], reached_lambda_[i]);
+}
 
+template <class V>
+void RodPack<V>::end_still_pass(Mask solved, double t0, double t1, const MotionSpline& platform) {
     for (std::size_t n = 0; n < trial_.size(); ++n) {
         trial_[n].r = reached_[n].r, trial_[n].d = reached_[n].d;
         trial_[n].v = trial_[n].vd = trial_[n].a = trial_[n].ad = Vector<V>{};
     }
     for (std::size_t i = 0; i < lambda_.size(); ++i) lambda_[i] = reached_lambda_[i];
+    const double H = t1 - t0;
     accept(solved, V(H), V(t1));
+    const NodeState<V>* before = kept_.nodes();
     NodeState<V>* after = working_.nodes();
     const V per_time(1.0 / H);
     for (std::size_t n = 0; n < trial_.size(); ++n) {  // the rate at which the shape changes
@@ -211,10 +175,77 @@ Status RodPack<V>::still_pass(double t0, double t1, const MotionSpline& platform
         fitted_[static_cast<std::size_t>(i)] = wrench(i, reference);
     for (std::size_t c = 0; c < constraints_.size(); ++c)
         constraints_[c].fitted = working_.constraints()[c].force;
+}
+
+template <class V>
+Status RodGroup<V>::still_pass(double t0, double t1, const MotionSpline& platform) {
+    using T = LaneTraits<V>;
+    for (RodPack<V>& p : packs_) p.begin_still_pass(t0, t1);
+    const double H = t1 - t0;
+
+    // Straight to t1 as a rule; a lane that fails goes there in parts of the platform's way, which
+    // lead Newton's iteration and leave no other trace.
+    struct Walk {
+        double reached = 0.0, part = 1.0;
+        int tried = 0;
+    };
+    std::array<Walk, static_cast<std::size_t>(lanes)> walk;
+    Mask active = used(), solved = T::none(), fresh = used();
+    Status failed;
+    const int lines = static_cast<int>(packs_.front().lines_.size());
+    while (any(active)) {
+        V t(t1);
+        for (int i = 0; i < lines; ++i) {
+            const Walk& w = walk[static_cast<std::size_t>(i)];
+            const double q = w.reached + w.part;
+            T::set(t, i, q < 1.0 ? t0 + q * H : t1);
+        }
+        for (RodPack<V>& p : packs_) {
+            p.start_still(fresh, V(H));
+            for (int i = 0; i < lines && !p.constraints_.empty(); ++i)
+                if (T::get(active, i))
+                    p.carry_with_hull(
+                        i, platform.at(t0 + walk[static_cast<std::size_t>(i)].reached * H).motion,
+                        platform.at(T::get(t, i)).motion);
+        }
+        const Mask found = still_attempt(active, t0, t1, t, platform);
+        Mask untrue = T::none();
+        for (const RodPack<V>& p : packs_) untrue = untrue | (found & p.false_equilibria());
+        const Mask good = found & !untrue;
+        for (RodPack<V>& p : packs_) {
+            p.reach(good);
+            p.keep_constraints(good, V(H), p.kept_, p.working_);
+        }
+        fresh = T::none();
+        for (int i = 0; i < lines; ++i) {
+            if (!T::get(active, i)) continue;
+            Walk& w = walk[static_cast<std::size_t>(i)];
+            ++w.tried;
+            if (T::get(good, i)) {
+                w.reached += w.part;
+                if (w.reached >= 1.0) {
+                    T::set(solved, i, true);
+                    T::set(active, i, false);
+                }
+            } else if (w.tried < packs_.front().newton.still_parts) {
+                if (w.tried > 1) w.part *= 0.5;  // once again from the kept shape itself
+            } else {
+                Mask bad = T::none();
+                T::set(bad, i, true);
+                const Status its = status_of(bad,
+                                             T::get(untrue, i) ? Status::Code::false_equilibrium
+                                                               : Status::Code::no_equilibrium,
+                                             T::get(t, i));
+                if (failed.ok() || its.line < failed.line) failed = its;
+                T::set(active, i, false);
+            }
+        }
+    }
+    for (RodPack<V>& p : packs_) p.end_still_pass(solved, t0, t1, platform);
     return failed;
 }
 
-template Status RodPack<Single>::still_pass(double, double, const MotionSpline&);
-template Status RodPack<Quad>::still_pass(double, double, const MotionSpline&);
+template auto RodGroup<Single>::still_pass(double, double, const MotionSpline&) -> Status;
+template auto RodGroup<Quad>::still_pass(double, double, const MotionSpline&) -> Status;
 
 }  // namespace hawser::worker

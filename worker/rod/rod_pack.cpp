@@ -1,5 +1,6 @@
 // Set-up of a pack from the case, motion of its ends, and what can be read from it.
 #include "rod/rod_pack.hpp"
+#include "rod/tie_system.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -286,18 +287,19 @@ Vec3 RodPack<V>::node_position(int lane, int n) const {
 }
 
 template <class V>
-Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference) {
+Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference, TieBorder<V>* ties) {
     if (model_ == LineModel::catenary) return hanging_stiffness(lane, reference);
     using T = LaneTraits<V>;
     Eigen::Matrix<double, 7, 7> D;
     for (int i = 0; i < 7; ++i)
         for (int k = 0; k < 7; ++k) D(i, k) = T::get(last_D_[i][k], lane);
     Mat6 along_rod = Mat6::Zero();
-    Border K_along = border_of_constraints(lane, reference, along_rod);
+    if (ties != nullptr) begin_border(lane, *ties);
+    Border K_along = border_of_constraints(lane, reference, along_rod, ties);
     if (place_a_.kind != EndKind::platform) {
-        if (!place_a_.prescribed()) return along_rod - K_along.transpose() * D.inverse() * K_along;
-        const Eigen::Matrix<double, 4, 6> Ky = K_along.template bottomRows<4>();
-        return along_rod - Ky.transpose() * D.bottomRightCorner<4, 4>().inverse() * Ky;
+        if (!place_a_.prescribed()) return along_rod - border_at_end_a<7>(lane, D, K_along, ties);
+        return along_rod - border_at_end_a<4>(lane, D.bottomRightCorner<4, 4>(),
+                                              K_along.template bottomRows<4>(), ties);
     }
     Mat3 Ks;
     for (int i = 0; i < 3; ++i)
@@ -327,7 +329,7 @@ Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference) {
             for (int k = 0; k < 3; ++k) Kt(i, k) = T::get(spring_load_a_.stiffness(i, k), lane);
         Border K = K_along;
         K.template topRows<3>() -= Kt * B;
-        return along_rod + B.transpose() * Kt * B - K.transpose() * D.inverse() * K + turning;
+        return along_rod + B.transpose() * Kt * B - border_at_end_a<7>(lane, D, K, ties) + turning;
     }
     // R:22, R:23: border columns and block, then the elimination of (r', lambda)
     const Eigen::Matrix<double, 3, 6> K_r = K_along.template topRows<3>();
@@ -338,8 +340,7 @@ Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference) {
     turning.bottomRightCorner<3, 3>() -= skew(d) * skew(f);
     const Mat6 M = along_rod + B.transpose() * D.topLeftCorner<3, 3>() * B + B.transpose() * K_r +
                    K_r.transpose() * B + Bs.transpose() * Ks * Bs;
-    const Eigen::Matrix4d Dyy = D.bottomRightCorner<4, 4>();
-    return M - K.transpose() * Dyy.inverse() * K + turning;
+    return M - border_at_end_a<4>(lane, D.bottomRightCorner<4, 4>(), K, ties, &B) + turning;
 }
 
 template class RodPack<Single>;

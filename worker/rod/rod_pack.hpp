@@ -4,6 +4,7 @@
 // neighbours. No MPI, no files, no allocation in a step.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <utility>
@@ -56,7 +57,11 @@ template <class V>
 struct PlacedConstraint {
     Law<V> law;
     SlopeLaw<V> joint;               ///< of a flex joint or a clamp
-    int declared = 0;                ///< index into Line::constraints
+    int declared = 0;                ///< index into Line::constraints; -1: mirror of another rod's
+    bool tied = false;               ///< to a point of another rod
+    bool mirror = false;             ///< the other rod's side of a tie: takes what the tie gives
+    int of_line = -1, of_constraint = -1;  ///< mirror: line and constraint (of lane 0) it mirrors
+    bool is_end_a = false, is_end_b = false;  ///< tied end of the line
     std::vector<LineConstraint> at;  ///< one per lane; of a pull tube its point and tangent there
     V on_platform{};                 ///< 1: moves with the platform, 0: stands on the earth
     typename LaneTraits<V>::Mask axis_is_static = LaneTraits<V>::none();  ///< of the joint
@@ -68,7 +73,9 @@ struct PlacedConstraint {
     ConstraintMotion<V> motion;         ///< at the last trial values
     ConstraintReading<V> reading;
     ConstraintLoad<V> joint_load;
-    Vector<V> point, slope;  ///< of the rod there: r, r'
+    Vector<V> point, rate, slope;  ///< of the rod there: r, r_t, r'
+    Vector<V> place_rate;          ///< of a place on another rod [m/s]
+    Vector<V> moved;               ///< correction of the point, sum A_i d_i [m]
     /// Carried to the solution of the linear system: force, force on the slope, moment of the joint
     Vector<V> force, slope_force, moment;
     ConstraintState<V> settled;     ///< of each lane's own last iteration
@@ -106,6 +113,13 @@ struct NewtonControl {
 };
 
 template <class V>
+class RodGroup;
+template <class V>
+struct TieSide;
+template <class V>
+struct TieBorder;
+
+template <class V>
 class RodPack {
  public:
     using Mask = typename LaneTraits<V>::Mask;
@@ -124,7 +138,7 @@ class RodPack {
     /// One pass from the kept state at t0 to t1 along the spline; the result is the working state.
     /// Quasi-static lines and catenaries are found at rest at t1 (README.md, "Line models").
     /// A line that fails stays where it failed, the others finish; the first failed line, in line
-    /// order, is told.
+    /// order, is told. Rods that are tied to rods of other packs pass with them (RodGroup).
     Status pass(double t0, double t1, const MotionSpline& platform);
     /// The pass that ended last becomes the kept state.
     void keep();
@@ -153,7 +167,8 @@ class RodPack {
     [[nodiscard]] std::vector<CatenaryNode> found_shape(int lane) const;
     /// Static stiffness about `reference`: -d(wrench)/d(position, rotation vector) [6 x 6], R:25.
     /// After swing() the dynamic stiffness.
-    [[nodiscard]] Mat6 stiffness(int lane, const Vec3& reference);
+    /// Of a rod that is tied to others its own part; `ties` gets what joins them (RodGroup).
+    [[nodiscard]] Mat6 stiffness(int lane, const Vec3& reference, TieBorder<V>* ties = nullptr);
 
     /// Linear undamped motion of angular frequency omega about the last static solution, R:44: what
     /// stiffness() then gives is K(omega) - omega^2 M, exact for the mesh. Lines that a run
@@ -182,7 +197,9 @@ class RodPack {
     [[nodiscard]] double impulse_mismatch(int lane, int c) const;
     /// How many constraints a line of this pack declares.
     [[nodiscard]] int constraint_count() const {
-        return constraints_.empty() ? 0 : constraints_.back().declared + 1;
+        int count = 0;
+        for (const PlacedConstraint<V>& c : constraints_) count = std::max(count, c.declared + 1);
+        return count;
     }
 
     [[nodiscard]] const std::vector<int>& lines() const { return lines_; }
@@ -202,13 +219,15 @@ class RodPack {
     NewtonControl newton;
 
  private:
+    friend class RodGroup<V>;
     struct EndPlace {
         EndKind kind = EndKind::free;
         std::vector<LineEnd> end;  ///< one per lane
         [[nodiscard]] bool held() const { return kind != EndKind::free; }
         [[nodiscard]] bool sprung() const { return held() && end.front().joint == Joint::spring; }
+        [[nodiscard]] bool on_line() const { return kind == EndKind::line; }
         /// Is the position of the rod's node that of the support?
-        [[nodiscard]] bool prescribed() const { return held() && !sprung(); }
+        [[nodiscard]] bool prescribed() const { return held() && !sprung() && !on_line(); }
     };
     /// Rows of a prescribed end's position, kept for its reaction.
     struct ReactionRows {
@@ -226,7 +245,15 @@ class RodPack {
                             const MotionSpline& platform) const;
 
     // time_step.cpp
-    void attempt_step(Mask active, V h, V t_new, const MotionSpline& platform, Mask& accepted);
+    void begin_pass(double t0, double t1, const MotionSpline& platform, V h);
+    void begin_step(Mask active, V h, V t_new, const MotionSpline& platform);
+    /// The trial values corrected by what solve() found, and the forces of the supports.
+    void correct(Mask iterating, V a0, V a1);
+    /// Takes away from `sound` the lanes that have lost their way, from `converged` those that want
+    /// another iteration.
+    void judge(int iteration, V h, Mask iterating, Mask& sound, Mask& converged);
+    void end_step(Mask accepted, V h, V t_new);
+    void restart_rates(int lane);
     void predict(const RodState<V>& s, V h);
     void prepare_material(const RodState<V>& s, V h);
     void accept(Mask accepted, V h, V t_new);
@@ -240,8 +267,10 @@ class RodPack {
     void add_to_fit(int lane, int i, int n, const MotionSpline& platform);
 
     // quasi_static.cpp
-    Status still_pass(double t0, double t1, const MotionSpline& platform);
-    Mask still_attempt(Mask wanted, double t0, double t1, V t, const MotionSpline& platform);
+    void begin_still_pass(double t0, double t1);
+    void end_still_pass(Mask solved, double t0, double t1, const MotionSpline& platform);
+    void begin_still_attempt(V t, const MotionSpline& platform);
+    void reach(Mask good);
     void start_still(Mask from_prediction, V ahead);
     void carry_with_hull(int lane, const PlatformMotion& from, const PlatformMotion& to);
     void current_at(double t, const MotionSpline& platform);
@@ -254,7 +283,10 @@ class RodPack {
     bool hang_lane(int lane, double t, const MotionSpline& platform);
 
     // solve.cpp
-    void solve(V a0, V a1);
+    /// Assembles and eliminates every node but that at end A, which is left factorised.
+    void reduce(V a0, V a1);
+    /// The corrections, and the reactions of the supports at the linear system's solution.
+    void back_substitute();
     void update_trial(Mask iterating, V a0, V a1, V part, V limit, V& correction, V& finite);
     void add_point_mass(const PointMass<V>& mass, V a0, V a1, V (&D)[7][7], V (&R)[7]) const;
     void add_slope_law(const SlopeLaw<V>& law, const TrialNode<V>& node, const Vector<V>& axis,
@@ -271,18 +303,35 @@ class RodPack {
     Vec3 trial_point(int lane, int element, double xi, Vec3* slope) const;
     HullMotion<V> hull_motion(V t_before, V t, const MotionSpline& platform) const;
     /// Loads of all constraints at the trial values.
-    void evaluate_constraints(V a1);
+    void find_points();
+    void apply_laws(V a1);
     void add_constraints(std::size_t e, ElementSystem<V>& element) const;
     void carry_constraints();
     /// How far the laws are from the forces that the solution of the linear system holds, as a part
     /// of what `newton` allows.
     [[nodiscard]] V constraint_misfit() const;
 
+    // ties.cpp
+    [[nodiscard]] Vec3 kept_point(int lane, double arc_length) const;
+    /// The point of the rod that is nearest to `to`: from the whole rod, or from where it was.
+    void locate_nearest(PlacedConstraint<V>& c, int lane, const Vec3& to, bool search) const;
+    void reduce_side(TieSide<V>& side) const;
+    void last_rows(const V* column, int stride, V (&z)[7]) const;
+
     // constraint_border.cpp, constraint_results.cpp
     using Border = Eigen::Matrix<double, 7, 6>;
     /// Border columns of the constraints along the rod after the elimination of all nodes before
     /// end A; their block of R:22 and R:24 is added to M.
-    Border border_of_constraints(int lane, const Vec3& reference, Mat6& M) const;
+    Border border_of_constraints(int lane, const Vec3& reference, Mat6& M,
+                                 TieBorder<V>* ties) const;
+    /// C and G of the ties: the part of the nodes before end A, R:46.
+    void begin_border(int lane, TieBorder<V>& ties) const;
+    /// Border of the node at end A: K^T D^-1 K, and its part of the ties. Z's own rows of a
+    /// prescribed position are folded with B.
+    template <int n>
+    Mat6 border_at_end_a(int lane, const Eigen::Matrix<double, n, n>& D,
+                         const Eigen::Matrix<double, n, 6>& K, TieBorder<V>* ties,
+                         const Eigen::Matrix<double, 3, 6>* B = nullptr) const;
     void settle_constraints(Mask iterating);
     /// What a step of length h (0: statics) found becomes the constraints' state; their sums over
     /// time go on from `before`.
@@ -317,20 +366,22 @@ class RodPack {
     void current_only(bool current, V t, const MotionSpline& platform);
     void scatter_water(Water<V>* to);
 
-    // modes.cpp
+    // small_motion.cpp
     void prepare_tangent(double omega);
 
     // statics.cpp
-    Status find_equilibrium(const PlatformMotion& pose, bool current);
     void start_from(int lane, const std::vector<CatenaryNode>& nodes);
     void copy_idle_lanes();
-    Mask guess_lane(int lane, const PlatformMotion& pose);
+    /// @param a, b  where the ends are
+    Mask guess_lane(int lane, const PlatformMotion& pose, const Vec3& a, const Vec3& b);
     Mask guess_under_tension(int lane, const LineConstraint& tensioner, const PlatformMotion& pose,
                              const Vec3& foot, const std::vector<CatenaryElement>& elements);
-    Mask static_newton(const PlatformMotion& pose, bool current, Mask wanted, double part = 1.0);
+    void begin_statics(const MotionSpline& still);
+    void end_statics(Mask solved);
     /// Lanes whose trial values are an equilibrium that nobody wants.
     Mask false_equilibria() const;
     Status status_of(Mask bad, Status::Code code, double t) const;
+    void take_axes();
     void finish_statics(Mask good);
     void set_pose(const PlatformMotion& pose);
     [[nodiscard]] PlatformMotion last_pose() const;
@@ -397,7 +448,12 @@ class RodPack {
     ElementSystem<V> element_;
     EndValues<V> end_a_, end_b_;
     Vector<V> reaction_a_, reaction_b_, moment_a_, moment_b_;
-    V last_D_[7][7];  ///< node at end A before its elimination, for the static stiffness
+    Vector<V> found_force_a_, found_force_b_, found_moment_a_, found_moment_b_;  ///< in each lane's
+                                                                                ///< last iteration
+    V correction_size_{}, correction_finite_{};  ///< largest [m]; 0, or NaN
+    V last_D_[7][7], last_R_[7];                 ///< node at end A before its elimination
+    NodeFactor<V> last_;  ///< its factors; of a prescribed end rows 3 to 6, from index 0
+    ReactionRows rows_b_;
     ConstraintLoad<V> slope_load_a_, slope_load_b_, spring_load_a_;
     std::vector<int> slot_;  ///< place of a lane's Gauss point among the samples; -1: none
     std::vector<double> xs_, ys_, zs_, ux_, uy_, uz_, ax_, ay_, az_, eta_;

@@ -62,4 +62,22 @@ constexpr ShapeTables make_shape_tables() {
 
 inline constexpr ShapeTables shape = make_shape_tables();
 
+/// A_i(xi) of r_a, r'_a, r_b, r'_b, and their derivatives w_i in arc length: r = A_i q_i, r' = w_i
+/// q_i with q = (r_a, r'_a, r_b, r'_b).
+template <class V>
+struct PointShape {
+    V A[4], w[4];
+    PointShape(V x, V L) {
+        const V x2 = x * x, x3 = x2 * x;
+        A[0] = V(1.0) - V(3.0) * x2 + V(2.0) * x3;
+        A[1] = L * (x - V(2.0) * x2 + x3);
+        A[2] = V(3.0) * x2 - V(2.0) * x3;
+        A[3] = L * (x3 - x2);
+        w[2] = V(6.0) * (x - x2) / L;
+        w[0] = -w[2];
+        w[1] = V(1.0) - V(4.0) * x + V(3.0) * x2;
+        w[3] = V(3.0) * x2 - V(2.0) * x;
+    }
+};
+
 }  // namespace hawser::worker

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "rod/rod_pack.hpp"
+#include "rod/rod_group.hpp"
 
 namespace hawser::worker {
 
@@ -38,17 +38,11 @@ void RodPack<V>::prepare_tangent(double omega) {
     end_b_ = end_values(place_b_, kept_.head().axis_b, V(0.0), still);
     if (!curves_.empty()) (void)follow_curves(used_, nullptr, V(1.0));
     current_only(false, V(0.0), still);  // drag without motion has no part in the tangent
-    if (!constraints_.empty()) {
-        place_constraints(kept_, V(0.0), V(0.0), still, true);
-        evaluate_constraints(V(0.0));
-    }
 }
 
 template <class V>
 void RodPack<V>::swing(double omega) {
-    prepare_tangent(omega);
-    const bool moves = model_ == LineModel::dynamic;  // the others have no inertia in a run either
-    solve(V(moves ? -omega * omega : 0.0), V(0.0));
+    RodGroup<V>(std::span(this, 1)).swing(omega);
 }
 
 namespace {
@@ -78,6 +72,10 @@ SmallMotion RodPack<V>::small_motion(int lane) {
     // Fast motion, so a rope has its dynamic stiffness: the relaxation is slower than its modes.
     constexpr double fast = 1e6;
     prepare_tangent(fast);
+    const MotionSpline still(0.0, last_pose(), 0.0, last_pose());
+    if (!constraints_.empty()) place_constraints(kept_, V(0.0), V(0.0), still, true);
+    find_points();
+    apply_laws(V(0.0));
     const std::size_t N = properties_.size();
     using Triplets = std::vector<Eigen::Triplet<double>>;
     const auto assemble = [&](Triplets& to, V a0, double factor, bool mass) {
@@ -137,8 +135,10 @@ SmallMotion RodPack<V>::small_motion(int lane) {
     return out;
 }
 
+template void RodPack<Single>::prepare_tangent(double);
 template void RodPack<Single>::swing(double);
 template SmallMotion RodPack<Single>::small_motion(int);
+template void RodPack<Quad>::prepare_tangent(double);
 template void RodPack<Quad>::swing(double);
 template SmallMotion RodPack<Quad>::small_motion(int);
 

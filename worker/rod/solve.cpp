@@ -1,5 +1,6 @@
-// One Newton solve of a pack: assembly fused with the elimination from end B to end A, then the
-// back-substitution: R:20, R:23, R:24, R:26. Here J d = R and the unknowns change by -d.
+// The linear system of a pack: assembly fused with the elimination from end B to end A, then the
+// back-substitution: R:20, R:23, R:24, R:26. Here J d = R and the unknowns change by -d. Between
+// the two a group adds what the rods' ties carry (ties.cpp).
 #include "rod/rod_pack.hpp"
 
 namespace hawser::worker {
@@ -62,7 +63,7 @@ Vector<V> joint_moment(const TrialNode<V>& node, const ConstraintLoad<V>& joint,
 }  // namespace
 
 template <class V>
-void RodPack<V>::solve(V a0, V a1) {
+void RodPack<V>::reduce(V a0, V a1) {
     const std::size_t N = properties_.size();
     ++work_.solves;
     auto mass = masses_.begin();
@@ -70,7 +71,6 @@ void RodPack<V>::solve(V a0, V a1) {
     for (auto& row : D)
         for (V& x : row) x = V(0.0);
     for (V& x : R) x = V(0.0);
-    ReactionRows rows_b;
 
     for (std::size_t e = 0; e < N; ++e) {
         const V lambda[3] = {lambda_[2 * e], lambda_[2 * e + 1], lambda_[2 * e + 2]};
@@ -97,14 +97,14 @@ void RodPack<V>::solve(V a0, V a1) {
             add_slope_law(law_b_, trial_[0], end_b_.axis, D, R, slope_load_b_);
             if (place_b_.prescribed()) {  // the removed rows are the reaction
                 for (int i = 0; i < 3; ++i) {
-                    rows_b.R[i] = R[i];
+                    rows_b_.R[i] = R[i];
                     R[i] = V(0.0);
                     for (int k = 0; k < 4; ++k) {
-                        rows_b.D[i][k] = D[3 + k][i];
+                        rows_b_.D[i][k] = D[3 + k][i];
                         D[3 + k][i] = V(0.0);
                     }
                     for (int k = 0; k < 7; ++k) {
-                        rows_b.E[i][k] = element.ab[i][k];
+                        rows_b_.E[i][k] = element.ab[i][k];
                         element.ab[i][k] = V(0.0);
                     }
                     for (int k = 0; k < i; ++k) D[i][k] = V(0.0);
@@ -134,55 +134,60 @@ void RodPack<V>::solve(V a0, V a1) {
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k <= i; ++k) D[i][k] += spring_load_a_.stiffness(i, k);
     }
-    if (static_) {
-        for (int i = 0; i < 7; ++i) {
-            for (int k = 0; k <= i; ++k) last_D_[i][k] = last_D_[k][i] = D[i][k];
-        }
+    for (int i = 0; i < 7; ++i) {
+        last_R_[i] = R[i];
+        for (int k = 0; k <= i; ++k) last_D_[i][k] = last_D_[k][i] = D[i][k];
     }
-
-    // The node at end A
-    V L[7][7], inverse_d[7], z[7];
-    V(&d)[7] = correction_[N].x;
     if (place_a_.prescribed() && any(released_)) {
         // Some lanes' platform end has let go: their node is free, the others' rows are folded into
-        // the reaction as below.
-        V held_rows[3][4], held_R[3];
+        // the reaction.
         for (int i = 0; i < 3; ++i) {
-            held_R[i] = R[i];
-            R[i] = select(released_, R[i], V(0.0));
-            for (int k = 0; k < 4; ++k) {
-                held_rows[i][k] = D[3 + k][i];
-                D[3 + k][i] = select(released_, D[3 + k][i], V(0.0));
-            }
+            for (int k = 0; k < 4; ++k) D[3 + k][i] = select(released_, D[3 + k][i], V(0.0));
             for (int k = 0; k < i; ++k) D[i][k] = select(released_, D[i][k], V(0.0));
             D[i][i] = select(released_, D[i][i], V(1.0));
         }
-        factor<0, 7>(D, L, inverse_d);
+        factor<0, 7>(D, last_.L, last_.inverse_d);
+    } else if (place_a_.prescribed()) {
+        factor<3, 4>(D, last_.L, last_.inverse_d);
+    } else {
+        factor<0, 7>(D, last_.L, last_.inverse_d);
+    }
+}
+
+template <class V>
+void RodPack<V>::back_substitute() {
+    const std::size_t N = properties_.size();
+    const V(&L)[7][7] = last_.L;
+    const V(&inverse_d)[7] = last_.inverse_d;
+    V z[7];
+    V(&d)[7] = correction_[N].x;
+    if (place_a_.prescribed() && any(released_)) {
+        V R[7];
+        for (int i = 0; i < 7; ++i)
+            R[i] = i < 3 ? select(released_, last_R_[i], V(0.0)) : last_R_[i];
         forward<7>(L, R, z);
         for (int i = 0; i < 7; ++i) z[i] = inverse_d[i] * z[i];
         backward<7>(L, z, d);
         V f[3];
         for (int i = 0; i < 3; ++i) {
-            f[i] = held_R[i];
-            for (int k = 0; k < 4; ++k) f[i] -= held_rows[i][k] * d[3 + k];
+            f[i] = last_R_[i];
+            for (int k = 3; k < 7; ++k) f[i] -= last_D_[k][i] * d[k];
             f[i] = select(released_, V(0.0), f[i]);
         }
         reaction_a_ = {f[0], f[1], f[2]};
     } else if (place_a_.prescribed()) {
-        factor<3, 4>(D, L, inverse_d);
-        forward<4>(L, R + 3, z);
+        forward<4>(L, last_R_ + 3, z);
         for (int i = 0; i < 4; ++i) z[i] = inverse_d[i] * z[i];
         backward<4>(L, z, d + 3);
         V f[3];
         for (int i = 0; i < 3; ++i) {  // R:23 with dX = 0: the reduced residual is the reaction
             d[i] = V(0.0);
-            f[i] = R[i];
-            for (int k = 3; k < 7; ++k) f[i] -= D[k][i] * d[k];
+            f[i] = last_R_[i];
+            for (int k = 3; k < 7; ++k) f[i] -= last_D_[k][i] * d[k];
         }
         reaction_a_ = {f[0], f[1], f[2]};
     } else {
-        factor<0, 7>(D, L, inverse_d);
-        forward<7>(L, R, z);
+        forward<7>(L, last_R_, z);
         for (int i = 0; i < 7; ++i) z[i] = inverse_d[i] * z[i];
         backward<7>(L, z, d);
         reaction_a_ = spring_load_a_.force + spring_load_a_.stiffness * Vector<V>{d[0], d[1], d[2]};
@@ -204,9 +209,9 @@ void RodPack<V>::solve(V a0, V a1) {
     if (place_b_.prescribed()) {
         V f[3];
         for (int i = 0; i < 3; ++i) {
-            f[i] = rows_b.R[i];
-            for (int k = 0; k < 4; ++k) f[i] -= rows_b.D[i][k] * correction_[0].x[3 + k];
-            for (int k = 0; k < 7; ++k) f[i] -= rows_b.E[i][k] * correction_[1].x[k];
+            f[i] = rows_b_.R[i];
+            for (int k = 0; k < 4; ++k) f[i] -= rows_b_.D[i][k] * correction_[0].x[3 + k];
+            for (int k = 0; k < 7; ++k) f[i] -= rows_b_.E[i][k] * correction_[1].x[k];
         }
         reaction_b_ = {f[0], f[1], f[2]};
     }
@@ -245,7 +250,8 @@ template void RodPack<Single>::add_point_mass(const PointMass<Single>&, Single, 
 template void RodPack<Single>::add_slope_law(const SlopeLaw<Single>&, const TrialNode<Single>&,
                                              const Vector<Single>&, Single (&)[7][7], Single (&)[7],
                                              ConstraintLoad<Single>&, Single) const;
-template void RodPack<Single>::solve(Single, Single);
+template void RodPack<Single>::reduce(Single, Single);
+template void RodPack<Single>::back_substitute();
 template void RodPack<Single>::update_trial(Single::Mask, Single, Single, Single, Single, Single&,
                                             Single&);
 template void RodPack<Quad>::add_point_mass(const PointMass<Quad>&, Quad, Quad, Quad (&)[7][7],
@@ -253,7 +259,8 @@ template void RodPack<Quad>::add_point_mass(const PointMass<Quad>&, Quad, Quad, 
 template void RodPack<Quad>::add_slope_law(const SlopeLaw<Quad>&, const TrialNode<Quad>&,
                                            const Vector<Quad>&, Quad (&)[7][7], Quad (&)[7],
                                            ConstraintLoad<Quad>&, Quad) const;
-template void RodPack<Quad>::solve(Quad, Quad);
+template void RodPack<Quad>::reduce(Quad, Quad);
+template void RodPack<Quad>::back_substitute();
 template void RodPack<Quad>::update_trial(Quad::Mask, Quad, Quad, Quad, Quad, Quad&, Quad&);
 
 }  // namespace hawser::worker

@@ -5,7 +5,7 @@
 
 #include "rod/catenary.hpp"
 #include "rod/lane_access.hpp"
-#include "rod/rod_pack.hpp"
+#include "rod/rod_group.hpp"
 
 namespace hawser::worker {
 
@@ -25,24 +25,20 @@ constexpr double turn_lever = 100.0;        // metres of motion that a radian of
 }  // namespace
 
 template <class V>
-auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose) -> Mask {
+auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose, const Vec3& a, const Vec3& b)
+    -> Mask {
     using T = LaneTraits<V>;
-    const MotionSpline still(0.0, pose, 0.0, pose);
-    const EndValues<V> a = end_values(place_a_, kept_.head().axis_a, V(0.0), still);
-    const EndValues<V> b = end_values(place_b_, kept_.head().axis_b, V(0.0), still);
     const std::vector<CatenaryElement> elements = catenary_elements(lane);
     if (!place_a_.held() && place_b_.held()) {
         for (const PlacedConstraint<V>& c : constraints_) {
             if (std::holds_alternative<Tensioner<V>>(c.law))
                 return guess_under_tension(lane, c.at[static_cast<std::size_t>(lane)], pose,
-                                           lane_vector(b.position, lane), elements);
+                                           b, elements);
         }
     }
     const bool on_bed = place_b_.end[static_cast<std::size_t>(lane)].kind == EndKind::anchor;
-    const Catenary shape_found = place_b_.prescribed()
-                                     ? solve_catenary(elements, lane_vector(b.position, lane),
-                                                      lane_vector(a.position, lane), on_bed)
-                                     : hang_freely(elements, lane_vector(a.position, lane));
+    const Catenary shape_found =
+        place_b_.held() ? solve_catenary(elements, b, a, on_bed) : hang_freely(elements, a);
     Mask found = LaneTraits<V>::none();
     if (!shape_found.found) return found;
     T::set(found, lane, true);
@@ -120,13 +116,11 @@ std::vector<CatenaryNode> RodPack<V>::found_shape(int lane) const {
 }
 
 template <class V>
-auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wanted, double part)
-    -> Mask {
+void RodPack<V>::begin_statics(const MotionSpline& still) {
     static_ = true;
     friction_on_ = false;
     released_ = LaneTraits<V>::none(), dead_ = V(-1.0);  // a line is whole at rest
     if (winds_) pay_out(kept_.head().t);
-    const MotionSpline still(0.0, pose, 0.0, pose);
     const NodeState<V>* node = kept_.nodes();
     for (std::size_t n = 0; n < trial_.size(); ++n)
         trial_[n] = {.r = node[n].r, .d = node[n].d, .v = {}, .vd = {}, .a = {}, .ad = {}};
@@ -140,38 +134,10 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wa
     end_b_ = end_values(place_b_, kept_.head().axis_b, V(0.0), still);
     if (place_a_.prescribed()) trial_.back().r = end_a_.position;
     if (place_b_.prescribed()) trial_.front().r = end_b_.position;
+}
 
-    Mask iterating = wanted, solved = LaneTraits<V>::none();
-    RodHead<V>& head = kept_.head();
-    V polish(0.0);  // two more iterations after the position test settle lambda
-    for (int i = 0; i < static_iterations / part && any(iterating); ++i) {
-        V correction, finite;
-        current_only(current, V(0.0), still);
-        if (!curves_.empty()) (void)follow_curves(iterating, nullptr, V(1.0));
-        if (!constraints_.empty()) {
-            place_constraints(kept_, V(0.0), V(0.0), still, true);
-            evaluate_constraints(V(0.0));
-        }
-        solve(V(0.0), V(0.0));
-        update_trial(iterating, V(0.0), V(0.0), V(part), V(static_step_limit), correction, finite);
-        head.force_a = select(iterating, reaction_a_, head.force_a);
-        head.force_b = select(iterating, reaction_b_, head.force_b);
-        head.moment_a = select(iterating, moment_a_, head.moment_a);
-        head.moment_b = select(iterating, moment_b_, head.moment_b);
-        settle_constraints(iterating);
-        const Mask sound = iterating & (finite <= V(0.0));
-        polish = select(sound & (correction <= V(static_tolerance)), polish + V(1.0), V(0.0));
-        const Mask done = sound & (polish >= V(3.0));
-        solved = solved | done;
-        iterating = sound & !done;
-    }
-    keep_constraints(solved, V(0.0), kept_, kept_);
-    current_only(current, V(0.0), still);
-    if (!constraints_.empty()) {
-        place_constraints(kept_, V(0.0), V(0.0), still, true);
-        evaluate_constraints(V(0.0));
-    }
-    solve(V(0.0), V(0.0));  // the stiffness of every lane at what it has found
+template <class V>
+void RodPack<V>::end_statics(Mask solved) {
     // What was found becomes the kept state of the lanes that were wanted.
     NodeState<V>* to = kept_.nodes();
     for (std::size_t n = 0; n < trial_.size(); ++n) {
@@ -182,6 +148,52 @@ auto RodPack<V>::static_newton(const PlatformMotion& pose, bool current, Mask wa
         Multiplier<V>& l = kept_.lambda()[i];
         l.now = l.before = select(solved, lambda_[i], l.now);
     }
+}
+
+template <class V>
+auto RodGroup<V>::static_newton(const PlatformMotion& pose, bool current, Mask wanted, double part)
+    -> Mask {
+    const MotionSpline still(0.0, pose, 0.0, pose);
+    const V now(0.0);
+    for (RodPack<V>& p : packs_) p.begin_statics(still);
+
+    Mask iterating = wanted, solved = LaneTraits<V>::none();
+    V polish(0.0);  // two more iterations after the position test settle lambda
+    for (int i = 0; i < static_iterations / part && any(iterating); ++i) {
+        for (RodPack<V>& p : packs_) {
+            p.current_only(current, now, still);
+            if (!p.curves_.empty()) (void)p.follow_curves(iterating, nullptr, V(1.0));
+        }
+        place(&RodPack<V>::kept_, now, now, still, true);
+        evaluate(V(0.0));
+        solve(V(0.0), V(0.0));
+        Mask sound = iterating, close = iterating;
+        for (RodPack<V>& p : packs_) {
+            V correction, finite;
+            p.update_trial(iterating, V(0.0), V(0.0), V(part), V(static_step_limit), correction,
+                           finite);
+            RodHead<V>& head = p.kept_.head();
+            head.force_a = select(iterating, p.reaction_a_, head.force_a);
+            head.force_b = select(iterating, p.reaction_b_, head.force_b);
+            head.moment_a = select(iterating, p.moment_a_, head.moment_a);
+            head.moment_b = select(iterating, p.moment_b_, head.moment_b);
+            p.settle_constraints(iterating);
+            sound = sound & (finite <= V(0.0));
+            close = close & (correction <= V(static_tolerance));
+        }
+        polish = select(sound & close, polish + V(1.0), V(0.0));
+        const Mask done = sound & (polish >= V(3.0));
+        solved = solved | done;
+        iterating = sound & !done;
+    }
+    for (RodPack<V>& p : packs_) {
+        p.keep_constraints(solved, V(0.0), p.kept_, p.kept_);
+        p.current_only(current, now, still);
+    }
+    place(&RodPack<V>::kept_, now, now, still, true);
+    evaluate(V(0.0));
+    solve(V(0.0), V(0.0));  // the stiffness of every lane at what it has found
+    for (RodPack<V>& p : packs_) p.end_statics(solved);
     return solved;
 }
 
@@ -245,63 +257,128 @@ void RodPack<V>::finish_statics(Mask good) {
 }
 
 template <class V>
+void RodPack<V>::take_axes() {
+    const auto tangent = [](const Vector<V>& d) { return (V(1.0) / sqrt(dot(d, d))) * d; };
+    RodHead<V>& head = kept_.head();
+    head.axis_a =
+        select(axis_is_static_a_, tangent(kept_.nodes()[trial_.size() - 1].d), head.axis_a);
+    head.axis_b = select(axis_is_static_b_, tangent(kept_.nodes()[0].d), head.axis_b);
+    take_joint_axes(kept_);
+}
+
+template <class V>
 Status RodPack<V>::equilibrium(const PlatformMotion& pose, bool current) {
-    if (model_ == LineModel::catenary) return hang_at(pose);
-    const RodState<V> before = kept_;  // a failure leaves everything as it was
-    const bool started = started_;
-    const Status status = find_equilibrium(pose, current);
-    if (!status.ok()) kept_ = before, started_ = started;
+    return RodGroup<V>(std::span(this, 1)).equilibrium(pose, current);
+}
+
+template <class V>
+Status RodGroup<V>::equilibrium(const PlatformMotion& pose, bool current) {
+    if (packs_.front().model_ == LineModel::catenary) return packs_.front().hang_at(pose);
+    std::vector<RodState<V>> before;  // a failure leaves everything as it was
+    for (const RodPack<V>& p : packs_) before.push_back(p.kept_);
+    const bool started = packs_.front().started_;
+    Status status = find_equilibrium(pose, current);
+    if (status.ok()) return status;
+    for (std::size_t p = 0; p < packs_.size(); ++p) {
+        packs_[p].kept_ = std::move(before[p]);
+        packs_[p].started_ = started;
+    }
     return status;
 }
 
 template <class V>
-Status RodPack<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
-    const auto everything_of = [&](Mask done) { return used_ & !done; };
-    if (!started_) {
+Status RodGroup<V>::false_equilibrium() const {
+    Status first;
+    for (const RodPack<V>& p : packs_) {
+        const Mask bad = p.false_equilibria();
+        if (!any(bad)) continue;
+        const Status its = p.status_of(bad, Status::Code::false_equilibrium, 0.0);
+        if (first.ok() || its.line < first.line) first = its;
+    }
+    return first;
+}
+
+template <class V>
+auto RodGroup<V>::guess(Mask wanted, const PlatformMotion& pose) -> Mask {
+    using T = LaneTraits<V>;
+    const MotionSpline still(0.0, pose, 0.0, pose);
+    const auto count = static_cast<int>(packs_.front().lines_.size());
+    Mask all = wanted;
+    std::vector<Mask> has(packs_.size(), LaneTraits<V>::none());
+    for (std::size_t p = 0; p < packs_.size(); ++p) has[p] = packs_[p].guessed_;
+    // An end on another line waits for that line's shape.
+    for (std::size_t round = 0; round < packs_.size(); ++round) {
+        for (std::size_t n = 0; n < packs_.size(); ++n) {
+            RodPack<V>& p = packs_[n];
+            const EndValues<V> a = p.end_values(p.place_a_, p.kept_.head().axis_a, V(0.0), still);
+            const EndValues<V> b = p.end_values(p.place_b_, p.kept_.head().axis_b, V(0.0), still);
+            for (int i = 0; i < count; ++i) {
+                if (!T::get(wanted, i) || T::get(has[n], i)) continue;
+                Vec3 ends[2] = {lane_vector(a.position, i), lane_vector(b.position, i)};
+                bool known = true;
+                for (const Tie& tie : ties_) {
+                    const PlacedConstraint<V>& c = p.constraints_[tie.constraint];
+                    if (tie.pack != n || !(c.is_end_a || c.is_end_b)) continue;
+                    known = known && T::get(has[tie.other_pack], i);
+                    if (!known) break;
+                    ends[c.is_end_b ? 1 : 0] =
+                        packs_[tie.other_pack].kept_point(i, c.at[static_cast<std::size_t>(i)].other_arc);
+                }
+                if (known) has[n] = has[n] | p.guess_lane(i, pose, ends[0], ends[1]);
+            }
+        }
+    }
+    for (std::size_t n = 0; n < packs_.size(); ++n) all = all & has[n];
+    return all;
+}
+
+template <class V>
+Status RodGroup<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
+    const auto everything_of = [&](Mask done) { return used() & !done; };
+    const auto unsolved = [&](Mask done) {
+        return status_of(everything_of(done), Status::Code::no_equilibrium, 0.0);
+    };
+    if (!packs_.front().started_) {
         // The first solution is that of the design position in still water, from the catenary; axes
         // of joints that follow the static tangent are taken from it.
         const PlatformMotion design;
-        Mask guessed = guessed_;
-        for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
-            if (!LaneTraits<V>::get(guessed_, i)) guessed = guessed | guess_lane(i, design);
-        copy_idle_lanes();
-        if (any(everything_of(guessed)))
-            return status_of(everything_of(guessed), Status::Code::no_equilibrium, 0.0);
-        law_on_ = !any(axis_is_static_a_ | axis_is_static_b_) && !has_static_joint_axes();
-        Mask solved = static_newton(design, false, used_);
+        const Mask guessed = guess(used(), design);
+        for (RodPack<V>& p : packs_) p.copy_idle_lanes();
+        if (any(everything_of(guessed))) return unsolved(guessed);
+        bool held = false;
+        for (RodPack<V>& p : packs_) {
+            p.law_on_ = !any(p.axis_is_static_a_ | p.axis_is_static_b_) &&
+                        !p.has_static_joint_axes();
+            held = held || std::any_of(p.constraints_.begin(), p.constraints_.end(),
+                                       [](const PlacedConstraint<V>& c) {
+                                           return c.tied ||
+                                                  std::holds_alternative<HeldPoint<V>>(c.law);
+                                       });
+        }
+        Mask solved = static_newton(design, false, used());
         // A tie-off far from the catenary draws the line there by and by.
         const Mask far = everything_of(solved);
-        const bool held = std::any_of(constraints_.begin(), constraints_.end(), [](const auto& c) {
-            return std::holds_alternative<HeldPoint<V>>(c.law);
-        });
         if (any(far) && held) {
-            for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
-                if (LaneTraits<V>::get(far, i) && !LaneTraits<V>::get(guessed_, i))
-                    guess_lane(i, design);
+            guess(far, design);
             Mask drawn = far;
             for (const double part : held_parts) {
-                hold_part_ = part;
+                for (RodPack<V>& p : packs_) p.hold_part_ = part;
                 drawn = static_newton(design, false, drawn);
             }
-            hold_part_ = 1.0;
+            for (RodPack<V>& p : packs_) p.hold_part_ = 1.0;
             solved = solved | drawn;
         }
-        law_on_ = true;
-        if (any(everything_of(solved)))
-            return status_of(everything_of(solved), Status::Code::no_equilibrium, 0.0);
-        const auto tangent = [](const Vector<V>& d) { return (V(1.0) / sqrt(dot(d, d))) * d; };
-        RodHead<V>& head = kept_.head();
-        head.axis_a =
-            select(axis_is_static_a_, tangent(kept_.nodes()[trial_.size() - 1].d), head.axis_a);
-        head.axis_b = select(axis_is_static_b_, tangent(kept_.nodes()[0].d), head.axis_b);
-        take_joint_axes(kept_);
-        if (any(false_equilibria()))
-            return status_of(false_equilibria(), Status::Code::false_equilibrium, 0.0);
-        set_pose(design);
-        started_ = true;
+        for (RodPack<V>& p : packs_) p.law_on_ = true;
+        if (any(everything_of(solved))) return unsolved(solved);
+        for (RodPack<V>& p : packs_) p.take_axes();
+        if (Status untrue = false_equilibrium(); !untrue.ok()) return untrue;
+        for (RodPack<V>& p : packs_) {
+            p.set_pose(design);
+            p.started_ = true;
+        }
     }
     // Walk to the pose asked for in increments that depend on the platform's move alone.
-    const PlatformMotion from = last_pose();
+    const PlatformMotion from = packs_.front().last_pose();
     const double move =
         (pose.position - from.position).norm() + turn_lever * (pose.angles - from.angles).norm();
     const int increments = std::max(1, static_cast<int>(std::ceil(move / move_per_increment)));
@@ -314,23 +391,23 @@ Status RodPack<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
             at.position = from.position + q * (pose.position - from.position);
             at.angles = from.angles + q * (pose.angles - from.angles);
         }
-        Mask solved = static_newton(at, current, used_);
+        Mask solved = static_newton(at, current, used());
         for (const double part : careful_parts) {  // once more from the catenary
             const Mask again = everything_of(solved);
             if (!any(again)) break;
-            for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
-                if (LaneTraits<V>::get(again, i)) guess_lane(i, at);
+            for (RodPack<V>& p : packs_) p.guessed_ = LaneTraits<V>::none();
+            guess(again, at);
             solved = solved | static_newton(at, current, again, part);
         }
-        if (any(everything_of(solved)))
-            return status_of(everything_of(solved), Status::Code::no_equilibrium, 0.0);
+        if (any(everything_of(solved))) return unsolved(solved);
     }
-    if (any(false_equilibria()))
-        return status_of(false_equilibria(), Status::Code::false_equilibrium, 0.0);
-    set_pose(pose);
-    finish_statics(used_);
-    for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
-        fitted_[static_cast<std::size_t>(i)] = wrench(i, pose.position);
+    if (Status untrue = false_equilibrium(); !untrue.ok()) return untrue;
+    for (RodPack<V>& p : packs_) {
+        p.set_pose(pose);
+        p.finish_statics(used());
+        for (int i = 0; i < static_cast<int>(p.lines_.size()); ++i)
+            p.fitted_[static_cast<std::size_t>(i)] = p.wrench(i, pose.position);
+    }
     return {};
 }
 
@@ -393,11 +470,15 @@ Status RodPack<V>::status_of(Mask bad, Status::Code code, double t) const {
 }
 
 template Status RodPack<Single>::equilibrium(const PlatformMotion&, bool);
+template Status RodGroup<Single>::equilibrium(const PlatformMotion&, bool);
+template auto RodPack<Single>::false_equilibria() const -> Single::Mask;
 template std::vector<CatenaryNode> RodPack<Single>::found_shape(int) const;
 template PlatformMotion RodPack<Single>::last_pose() const;
 template void RodPack<Single>::set_guess(int, const std::vector<CatenaryNode>&);
 template Status RodPack<Single>::status_of(Single::Mask, Status::Code, double) const;
 template Status RodPack<Quad>::equilibrium(const PlatformMotion&, bool);
+template Status RodGroup<Quad>::equilibrium(const PlatformMotion&, bool);
+template auto RodPack<Quad>::false_equilibria() const -> Quad::Mask;
 template std::vector<CatenaryNode> RodPack<Quad>::found_shape(int) const;
 template PlatformMotion RodPack<Quad>::last_pose() const;
 template void RodPack<Quad>::set_guess(int, const std::vector<CatenaryNode>&);

@@ -1,11 +1,12 @@
-// Time steps and passes of a pack, R:27 to R:29, with the halving of steps that fail.
+// Time steps and passes of rods, R:27 to R:29, with the halving of steps that fail: what a pack
+// does by itself, and the clocks of its group.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "force_fit.hpp"
 #include "rod/lane_access.hpp"
-#include "rod/rod_pack.hpp"
+#include "rod/rod_group.hpp"
 
 namespace hawser::worker {
 
@@ -148,10 +149,28 @@ void RodPack<V>::accept(Mask accepted, V h, V t_new) {
 }
 
 template <class V>
-void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& platform,
-                              Mask& accepted) {
+void RodPack<V>::begin_pass(double t0, double t1, const MotionSpline& platform, V h) {
+    static_ = false;
+    const double sampled = LaneTraits<V>::get(kept_.head().wave_index, 0);
+    if (sampled < 0.0 || (sampled + 1e-9) * wave_step_ < t0 + platform_step_)
+        refresh_water(t0 + platform_step_, platform.at(t0).motion);
+    working_ = kept_;  // always from the kept state
+    begin_impulses(t1 - t0);
+    ++work_.passes;
+    work_.rod_time += t1 - t0;
+    // on a change of step A <- a + (h/h_old)(A - a)
+    const V ratio = h / working_.head().h;
+    NodeState<V>* node = working_.nodes();
+    for (std::size_t n = 0; n < trial_.size(); ++n) {
+        node[n].A = node[n].a + ratio * (node[n].A - node[n].a);
+        node[n].Ad = node[n].ad + ratio * (node[n].Ad - node[n].ad);
+    }
+    for (Vec6& sum : fitted_) sum.setZero();
+}
+
+template <class V>
+void RodPack<V>::begin_step(Mask active, V h, V t_new, const MotionSpline& platform) {
     ++work_.steps;
-    const V a0 = scheme_.a0(h), a1 = scheme_.a1(h);
     if (winds_) pay_out(t_new);
     if (parts_) part(t_new);
     prepare_material(working_, h);
@@ -168,64 +187,87 @@ void RodPack<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& pla
     if (place_b_.prescribed()) put(LaneTraits<V>::none(), trial_.front(), end_b_);
     if (shelters_) shelter_water(t_new, platform, true);
     if (!curves_.empty()) (void)follow_curves(active, &working_, h);
-
     friction_on_ = true;
-    if (!constraints_.empty()) {
-        place_constraints(working_, working_.head().t, t_new, platform, false);
-        evaluate_constraints(a1);
-    }
+    const RodHead<V>& head = working_.head();
+    found_force_a_ = head.force_a, found_force_b_ = head.force_b;
+    found_moment_a_ = head.moment_a, found_moment_b_ = head.moment_b;
+}
 
-    Mask iterating = active;
-    accepted = LaneTraits<V>::none();
-    RodHead<V>& head = working_.head();
-    Vector<V> force_a = head.force_a, force_b = head.force_b, moment_a = head.moment_a,
-              moment_b = head.moment_b;
-    for (int i = 0; i < newton.max_iterations && any(iterating); ++i) {
-        V correction, finite;
-        solve(a0, a1);
-        update_trial(iterating, a0, a1, V(1.0), V(1e30), correction, finite);
-        force_a = select(iterating, reaction_a_, force_a);
-        force_b = select(iterating, reaction_b_, force_b);
-        moment_a = select(iterating, moment_a_, moment_a);
-        moment_b = select(iterating, moment_b_, moment_b);
-        const Mask sound = iterating & (finite <= V(0.0));
-        Mask converged = sound & (correction <= V(newton.tolerance));
-        if (!constraints_.empty()) {
-            evaluate_constraints(a1);
-            settle_constraints(iterating);
-            if (i + 1 < newton.constraint_iterations)
-                converged = converged & (constraint_misfit() <= V(1.0));
-        }
-        if (!curves_.empty()) {
-            const Mask fits = follow_curves(iterating, &working_, h);
-            if (i + 1 < newton.max_iterations) converged = converged & fits;
-        }
-        accepted = accepted | converged;
-        iterating = sound & !converged;
+template <class V>
+void RodPack<V>::correct(Mask iterating, V a0, V a1) {
+    update_trial(iterating, a0, a1, V(1.0), V(1e30), correction_size_, correction_finite_);
+    found_force_a_ = select(iterating, reaction_a_, found_force_a_);
+    found_force_b_ = select(iterating, reaction_b_, found_force_b_);
+    found_moment_a_ = select(iterating, moment_a_, found_moment_a_);
+    found_moment_b_ = select(iterating, moment_b_, found_moment_b_);
+}
+
+template <class V>
+void RodPack<V>::judge(int iteration, V h, Mask iterating, Mask& sound, Mask& converged) {
+    sound = sound & (correction_finite_ <= V(0.0));
+    converged = converged & sound & (correction_size_ <= V(newton.tolerance));
+    if (!constraints_.empty()) {
+        settle_constraints(iterating);
+        if (iteration + 1 < newton.constraint_iterations)
+            converged = converged & (constraint_misfit() <= V(1.0));
     }
-    head.force_a = select(accepted, force_a, head.force_a);
-    head.force_b = select(accepted, force_b, head.force_b);
-    head.moment_a = select(accepted, moment_a, head.moment_a);
-    head.moment_b = select(accepted, moment_b, head.moment_b);
+    if (!curves_.empty()) {
+        const Mask fits = follow_curves(iterating, &working_, h);
+        if (iteration + 1 < newton.max_iterations) converged = converged & fits;
+    }
+}
+
+template <class V>
+void RodPack<V>::end_step(Mask accepted, V h, V t_new) {
+    RodHead<V>& head = working_.head();
+    head.force_a = select(accepted, found_force_a_, head.force_a);
+    head.force_b = select(accepted, found_force_b_, head.force_b);
+    head.moment_a = select(accepted, found_moment_a_, head.moment_a);
+    head.moment_b = select(accepted, found_moment_b_, head.moment_b);
     keep_constraints(accepted, h, working_, working_);
     accept(accepted, h, t_new);
 }
 
 template <class V>
-Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
+void RodPack<V>::restart_rates(int lane) {
     using T = LaneTraits<V>;
-    if (model_ == LineModel::quasi_static) return still_pass(t0, t1, platform);
-    if (model_ == LineModel::catenary) return hang(t1, platform);
-    static_ = false;
-    const double sampled = T::get(kept_.head().wave_index, 0);
-    if (sampled < 0.0 || (sampled + 1e-9) * wave_step_ < t0 + platform_step_)
-        refresh_water(t0 + platform_step_, platform.at(t0).motion);
-    working_ = kept_;
-    begin_impulses(t1 - t0);
-    ++work_.passes;
-    work_.rod_time += t1 - t0;
+    NodeState<V>* node = working_.nodes();
+    for (std::size_t n = 0; n < trial_.size(); ++n) {
+        const auto reset = [&](V& A, const V& a) { T::set(A, lane, T::get(a, lane)); };
+        reset(node[n].A.x, node[n].a.x), reset(node[n].A.y, node[n].a.y);
+        reset(node[n].A.z, node[n].a.z), reset(node[n].Ad.x, node[n].ad.x);
+        reset(node[n].Ad.y, node[n].ad.y), reset(node[n].Ad.z, node[n].ad.z);
+    }
+}
 
-    // R:28: equal steps, each lane its own; always from the kept state
+template <class V>
+auto RodGroup<V>::attempt_step(Mask active, V h, V t_new, const MotionSpline& platform) -> Mask {
+    const TimeScheme& scheme = packs_.front().scheme_;
+    const V a0 = scheme.a0(h), a1 = scheme.a1(h);
+    for (RodPack<V>& p : packs_) p.begin_step(active, h, t_new, platform);
+    place(&RodPack<V>::working_, packs_.front().working_.head().t, t_new, platform, false);
+    evaluate(a1);
+
+    Mask iterating = active, accepted = LaneTraits<V>::none();
+    const int most = packs_.front().newton.max_iterations;
+    for (int i = 0; i < most && any(iterating); ++i) {
+        solve(a0, a1);
+        for (RodPack<V>& p : packs_) p.correct(iterating, a0, a1);
+        evaluate(a1);
+        Mask sound = iterating, converged = iterating;
+        for (RodPack<V>& p : packs_) p.judge(i, h, iterating, sound, converged);
+        converged = converged & sound;
+        accepted = accepted | converged;
+        iterating = sound & !converged;
+    }
+    for (RodPack<V>& p : packs_) p.end_step(accepted, h, t_new);
+    return accepted;
+}
+
+template <class V>
+Status RodGroup<V>::dynamic_pass(double t0, double t1, const MotionSpline& platform) {
+    using T = LaneTraits<V>;
+    // R:28: equal steps, each lane its own, a bundle the shortest of its members'
     const double H = t1 - t0;
     struct Clock {
         double base = 0.0, h = 0.0;
@@ -233,40 +275,32 @@ Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
     };
     std::array<Clock, static_cast<std::size_t>(lanes)> clock;
     V h{}, t_new{};
-    Mask active = used_;
+    Mask active = used();
     for (int i = 0; i < lanes; ++i) {
+        double longest = T::get(packs_.front().line_step_, i);
+        for (const RodPack<V>& p : packs_.subspan(1))
+            longest = std::min(longest, T::get(p.line_step_, i));
         Clock& c = clock[static_cast<std::size_t>(i)];
-        c.steps = c.coarse =
-            std::max(1, static_cast<int>(std::ceil(H / T::get(line_step_, i) - 1e-9)));
+        c.steps = c.coarse = std::max(1, static_cast<int>(std::ceil(H / longest - 1e-9)));
         c.h = H / c.steps;
         c.base = t0;
         T::set(h, i, c.h);
     }
-    RodHead<V>& head = working_.head();
-    {  // on a change of step A <- a + (h/h_old)(A - a)
-        const V ratio = h / head.h;
-        NodeState<V>* node = working_.nodes();
-        for (std::size_t n = 0; n < trial_.size(); ++n) {
-            node[n].A = node[n].a + ratio * (node[n].A - node[n].a);
-            node[n].Ad = node[n].ad + ratio * (node[n].Ad - node[n].ad);
-        }
+    for (RodPack<V>& p : packs_) {
+        p.begin_pass(t0, t1, platform, h);
+        for (int i = 0; i < lanes; ++i)
+            p.add_to_fit(i, 0, clock[static_cast<std::size_t>(i)].coarse, platform);
     }
-    for (int i = 0; i < lanes; ++i) {
-        fitted_[static_cast<std::size_t>(i)].setZero();
-        add_to_fit(i, 0, clock[static_cast<std::size_t>(i)].coarse, platform);
-    }
+    const int lines = static_cast<int>(packs_.front().lines_.size());
     Status failed;
     while (any(active)) {
         for (int i = 0; i < lanes; ++i) {  // an idle lane goes with the first
-            const Clock& c =
-                clock[static_cast<std::size_t>(i) < lines_.size() ? static_cast<std::size_t>(i)
-                                                                  : 0];
+            const Clock& c = clock[static_cast<std::size_t>(i < lines ? i : 0)];
             const bool last = c.done + 1 >= c.steps;
             T::set(t_new, i, last ? t1 : c.base + (c.done + 1) * c.h);
             T::set(h, i, c.h);
         }
-        Mask accepted;
-        attempt_step(active, h, t_new, platform, accepted);
+        const Mask accepted = attempt_step(active, h, t_new, platform);
         for (int i = 0; i < lanes; ++i) {
             if (!T::get(active, i)) continue;
             Clock& c = clock[static_cast<std::size_t>(i)];
@@ -275,16 +309,17 @@ Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
                 const double q =
                     (T::get(t_new, i) - t0) / H * c.coarse;  // halved steps do not count
                 if (std::abs(q - std::round(q)) < 1e-6)
-                    add_to_fit(i, static_cast<int>(std::round(q)), c.coarse, platform);
+                    for (RodPack<V>& p : packs_)
+                        p.add_to_fit(i, static_cast<int>(std::round(q)), c.coarse, platform);
                 if (c.done >= c.steps) T::set(active, i, false);
                 continue;
             }
             // 5.4: halve the step for what is left of the pass, restart with A = a
-            if (++c.halvings > newton.max_halvings) {
+            if (++c.halvings > packs_.front().newton.max_halvings) {
                 Mask bad = T::none();
                 T::set(bad, i, true);
-                if (failed.ok() || lines_[static_cast<std::size_t>(i)] < failed.line)
-                    failed = status_of(bad, Status::Code::not_converged, T::get(t_new, i));
+                const Status its = status_of(bad, Status::Code::not_converged, T::get(t_new, i));
+                if (failed.ok() || its.line < failed.line) failed = its;
                 T::set(active, i, false);  // frozen; its neighbours go on
                 continue;
             }
@@ -292,16 +327,15 @@ Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
             c.steps = 2 * (c.steps - c.done);
             c.done = 0;
             c.h *= 0.5;
-            NodeState<V>* node = working_.nodes();
-            for (std::size_t n = 0; n < trial_.size(); ++n) {
-                const auto reset = [&](V& A, const V& a) { T::set(A, i, T::get(a, i)); };
-                reset(node[n].A.x, node[n].a.x), reset(node[n].A.y, node[n].a.y);
-                reset(node[n].A.z, node[n].a.z), reset(node[n].Ad.x, node[n].ad.x);
-                reset(node[n].Ad.y, node[n].ad.y), reset(node[n].Ad.z, node[n].ad.z);
-            }
+            for (RodPack<V>& p : packs_) p.restart_rates(i);
         }
     }
     return failed;
+}
+
+template <class V>
+Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
+    return RodGroup<V>(std::span(this, 1)).pass(t0, t1, platform);
 }
 
 template <class V>
@@ -326,7 +360,13 @@ void RodPack<V>::keep() {
 
 template Status RodPack<Single>::pass(double, double, const MotionSpline&);
 template void RodPack<Single>::keep();
+template void RodPack<Single>::accept(Single::Mask, Single, Single);
+template void RodPack<Single>::prepare_material(const RodState<Single>&, Single);
+template auto RodGroup<Single>::dynamic_pass(double, double, const MotionSpline&) -> Status;
 template Status RodPack<Quad>::pass(double, double, const MotionSpline&);
 template void RodPack<Quad>::keep();
+template void RodPack<Quad>::accept(Quad::Mask, Quad, Quad);
+template void RodPack<Quad>::prepare_material(const RodState<Quad>&, Quad);
+template auto RodGroup<Quad>::dynamic_pass(double, double, const MotionSpline&) -> Status;
 
 }  // namespace hawser::worker

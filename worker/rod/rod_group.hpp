@@ -24,6 +24,9 @@ class RodGroup {
     Status equilibrium(const PlatformMotion& pose, bool current);
     /// One pass of all rods, see RodPack.
     Status pass(double t0, double t1, const MotionSpline& platform);
+    void keep() {
+        for (RodPack<V>& p : packs_) p.keep();
+    }
     /// Linear harmonic motion about the last static solution, R:44.
     void swing(double omega);
     /// -d(wrench)/d(position, rotation vector) of a lane of pack p, with all that it is tied to.

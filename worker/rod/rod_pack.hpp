@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -372,8 +373,9 @@ class RodPack {
     // statics.cpp
     void start_from(int lane, const std::vector<CatenaryNode>& nodes);
     void copy_idle_lanes();
-    /// @param a, b  where the ends are
-    Mask guess_lane(int lane, const PlatformMotion& pose, const Vec3& a, const Vec3& b);
+    /// @param a, b  where the ends are; without b it hangs free
+    Mask guess_lane(int lane, const PlatformMotion& pose, const Vec3& a,
+                    const std::optional<Vec3>& b);
     Mask guess_under_tension(int lane, const LineConstraint& tensioner, const PlatformMotion& pose,
                              const Vec3& foot, const std::vector<CatenaryElement>& elements);
     void begin_statics(const MotionSpline& still);

@@ -2,6 +2,7 @@
 // equilibria.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "rod/catenary.hpp"
 #include "rod/lane_access.hpp"
@@ -25,20 +26,20 @@ constexpr double turn_lever = 100.0;        // metres of motion that a radian of
 }  // namespace
 
 template <class V>
-auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose, const Vec3& a, const Vec3& b)
-    -> Mask {
+auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose, const Vec3& a,
+                            const std::optional<Vec3>& b) -> Mask {
     using T = LaneTraits<V>;
     const std::vector<CatenaryElement> elements = catenary_elements(lane);
-    if (!place_a_.held() && place_b_.held()) {
+    if (!place_a_.held() && b) {
         for (const PlacedConstraint<V>& c : constraints_) {
             if (std::holds_alternative<Tensioner<V>>(c.law))
-                return guess_under_tension(lane, c.at[static_cast<std::size_t>(lane)], pose,
-                                           b, elements);
+                return guess_under_tension(lane, c.at[static_cast<std::size_t>(lane)], pose, *b,
+                                           elements);
         }
     }
     const bool on_bed = place_b_.end[static_cast<std::size_t>(lane)].kind == EndKind::anchor;
     const Catenary shape_found =
-        place_b_.held() ? solve_catenary(elements, b, a, on_bed) : hang_freely(elements, a);
+        b ? solve_catenary(elements, *b, a, on_bed) : hang_freely(elements, a);
     Mask found = LaneTraits<V>::none();
     if (!shape_found.found) return found;
     T::set(found, lane, true);
@@ -298,37 +299,106 @@ Status RodGroup<V>::false_equilibrium() const {
     return first;
 }
 
+namespace {
+
+/// A rope that meets others in a knot.
+struct Reach {
+    Vec3 from;
+    double length;
+};
+
+/// Where ropes that meet would be held: below the middle of their ends, drawn back in turn by each
+/// that is too short.
+Vec3 knot_of(const std::vector<Reach>& ropes) {
+    Vec3 x = Vec3::Zero();
+    double longest = 0.0;
+    for (const Reach& rope : ropes) {
+        x += rope.from / static_cast<double>(ropes.size());
+        longest = std::max(longest, rope.length);
+    }
+    x.z() -= longest;
+    for (int i = 0; i < 300; ++i)
+        for (const Reach& rope : ropes) {
+            const Vec3 off = x - rope.from;
+            const double beyond = off.norm() - rope.length;
+            if (beyond > 0.0) x -= 0.5 * beyond * off.normalized();
+        }
+    return x;
+}
+
+}  // namespace
+
 template <class V>
 auto RodGroup<V>::guess(Mask wanted, const PlatformMotion& pose) -> Mask {
     using T = LaneTraits<V>;
     const MotionSpline still(0.0, pose, 0.0, pose);
     const auto count = static_cast<int>(packs_.front().lines_.size());
-    Mask all = wanted;
-    std::vector<Mask> has(packs_.size(), LaneTraits<V>::none());
-    for (std::size_t p = 0; p < packs_.size(); ++p) has[p] = packs_[p].guessed_;
+    std::vector<EndValues<V>> a, b;
+    std::vector<Mask> has;
+    for (const RodPack<V>& p : packs_) {
+        a.push_back(p.end_values(p.place_a_, p.kept_.head().axis_a, V(0.0), still));
+        b.push_back(p.end_values(p.place_b_, p.kept_.head().axis_b, V(0.0), still));
+        has.push_back(p.guessed_);
+    }
+    const auto length = [&](std::size_t n, int lane) {
+        return packs_[n].arc_length_[static_cast<std::size_t>(lane)].back();
+    };
+    /// Whether a line's end stands somewhere, or waits for another line.
+    const auto stands = [](const auto& place) { return place.held() && !place.on_line(); };
+    /// Ropes that are tied to the free end B of line n, and itself.
+    const auto meeting = [&](std::size_t n, int lane) {
+        std::vector<Reach> ropes;
+        if (packs_[n].place_b_.held() || !stands(packs_[n].place_a_)) return ropes;
+        ropes.push_back({lane_vector(a[n].position, lane), length(n, lane)});
+        for (const Tie& tie : ties_) {
+            const PlacedConstraint<V>& c = packs_[tie.pack].constraints_[tie.constraint];
+            const LineConstraint& at = c.at[static_cast<std::size_t>(lane)];
+            if (tie.other_pack != n || !at.is_end || at.other_arc < length(n, lane)) continue;
+            const RodPack<V>& rope = packs_[tie.pack];
+            if (c.is_end_b && stands(rope.place_a_))
+                ropes.push_back({lane_vector(a[tie.pack].position, lane), length(tie.pack, lane)});
+            if (c.is_end_a && stands(rope.place_b_))
+                ropes.push_back({lane_vector(b[tie.pack].position, lane), length(tie.pack, lane)});
+        }
+        return ropes;
+    };
     // An end on another line waits for that line's shape.
     for (std::size_t round = 0; round < packs_.size(); ++round) {
         for (std::size_t n = 0; n < packs_.size(); ++n) {
             RodPack<V>& p = packs_[n];
-            const EndValues<V> a = p.end_values(p.place_a_, p.kept_.head().axis_a, V(0.0), still);
-            const EndValues<V> b = p.end_values(p.place_b_, p.kept_.head().axis_b, V(0.0), still);
             for (int i = 0; i < count; ++i) {
                 if (!T::get(wanted, i) || T::get(has[n], i)) continue;
-                Vec3 ends[2] = {lane_vector(a.position, i), lane_vector(b.position, i)};
+                Vec3 end_a = lane_vector(a[n].position, i);
+                std::optional<Vec3> end_b;
+                if (p.place_b_.held()) end_b = lane_vector(b[n].position, i);
                 bool known = true;
                 for (const Tie& tie : ties_) {
                     const PlacedConstraint<V>& c = p.constraints_[tie.constraint];
                     if (tie.pack != n || !(c.is_end_a || c.is_end_b)) continue;
                     known = known && T::get(has[tie.other_pack], i);
                     if (!known) break;
-                    ends[c.is_end_b ? 1 : 0] =
-                        packs_[tie.other_pack].kept_point(i, c.at[static_cast<std::size_t>(i)].other_arc);
+                    const Vec3 there = packs_[tie.other_pack].kept_point(
+                        i, c.at[static_cast<std::size_t>(i)].other_arc);
+                    (c.is_end_b ? end_b.emplace() : end_a) = there;
                 }
-                if (known) has[n] = has[n] | p.guess_lane(i, pose, ends[0], ends[1]);
+                if (!known) continue;
+                if (const std::vector<Reach> ropes = meeting(n, i); ropes.size() > 1)
+                    end_b = knot_of(ropes);
+                if (end_b && (p.place_a_.on_line() || p.place_b_.on_line())) {
+                    // no longer than it is: the tie closes the gap
+                    const Vec3 span = *end_b - end_a;
+                    const double part = std::min(1.0, length(n, i) / span.norm());
+                    if (p.place_b_.on_line())
+                        end_b = end_a + part * span;
+                    else
+                        end_a = *end_b - part * span;
+                }
+                has[n] = has[n] | p.guess_lane(i, pose, end_a, end_b);
             }
         }
     }
-    for (std::size_t n = 0; n < packs_.size(); ++n) all = all & has[n];
+    Mask all = wanted;
+    for (const Mask& its : has) all = all & its;
     return all;
 }
 

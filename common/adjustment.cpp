@@ -12,13 +12,15 @@ double adjusted_quantity(const Line& line) {
     return line.sections.at(static_cast<std::size_t>(line.target.section)).length;
 }
 
-void adjust(Line& line, const Environment& environment, double value) {
+void adjust(Case& input, int index, double value) {
+    Line& line = input.lines[static_cast<std::size_t>(index)];
     const double change = value - adjusted_quantity(line);
     if (line.target.adjust == StaticTarget::Adjust::anchor_radius) {
         Vec3& b = line.end_b.position;
         const double before = std::hypot(b.x(), b.y());
         b.x() *= value / before, b.y() *= value / before;
-        if (line.end_b.kind == EndKind::anchor) b.z() = environment.seabed.height(b.x(), b.y());
+        if (line.end_b.kind == EndKind::anchor)
+            b.z() = input.environment.seabed.height(b.x(), b.y());
         return;
     }
     double end = 0.0;
@@ -30,12 +32,14 @@ void adjust(Line& line, const Environment& environment, double value) {
         if (a.arc_length >= at_least) a.arc_length += change;
     for (LineConstraint& c : line.constraints)
         if (c.arc_length && *c.arc_length >= at_least) *c.arc_length += change;
+    for (Line& other : input.lines)
+        for (LineConstraint& c : other.constraints)
+            if (c.other_line == index && c.other_arc >= at_least) c.other_arc += change;
     if (line.fail && line.fail->arc_length >= at_least) line.fail->arc_length += change;
 }
 
 void carry_out(const std::vector<Adjustment>& found, Case& input) {
-    for (const Adjustment& a : found)
-        adjust(input.lines[static_cast<std::size_t>(a.line)], input.environment, a.found);
+    for (const Adjustment& a : found) adjust(input, a.line, a.found);
 }
 
 std::string quantity_text(const Adjustment& a) {

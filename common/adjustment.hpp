@@ -31,7 +31,7 @@ struct Adjustment {
 /// Gives it another value. With a section's length, what is attached to the line at or beyond the
 /// end of that section moves along with it. An end B keeps its azimuth, and one on the bed stays on
 /// the bed.
-void adjust(Line& line, const Environment& environment, double value);
+void adjust(Case& input, int line, double value);
 
 /// Puts what was found into the case.
 void carry_out(const std::vector<Adjustment>& found, Case& input);

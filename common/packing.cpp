@@ -34,13 +34,13 @@ Layout layout_of(const Line& line, const std::vector<int>& bundle, LineModel usu
     const LineMesh mesh = mesh_of(line);
     std::vector<ConstraintLayout> constraints;
     for (const LineConstraint& c : line.constraints)
-        constraints.push_back({c.type, c.type == ConstraintType::slider && c.gap > 0.0,
-                               c.path.size(), c.cylinders.size(),
-                               c.other_line < 0
-                                   ? -1
-                                   : static_cast<int>(std::lower_bound(bundle.begin(), bundle.end(),
-                                                                       c.other_line) -
-                                                      bundle.begin())});
+        constraints.push_back(
+            {c.type, c.type == ConstraintType::slider && c.gap > 0.0, c.path.size(),
+             c.cylinders.size(),
+             c.other_line < 0
+                 ? -1
+                 : static_cast<int>(std::lower_bound(bundle.begin(), bundle.end(), c.other_line) -
+                                    bundle.begin())});
     return {.model = line.model.value_or(usual),
             .elements = mesh.elements(),
             .end_a = line.end_a.kind,
@@ -142,8 +142,7 @@ std::vector<int> assign(const std::vector<Pack>& packs, int workers) {
         of_group[g] = static_cast<int>(least - load.begin());
     }
     std::vector<int> worker;
-    for (const Pack& pack : packs)
-        worker.push_back(of_group[static_cast<std::size_t>(pack.group)]);
+    for (const Pack& pack : packs) worker.push_back(of_group[static_cast<std::size_t>(pack.group)]);
     return worker;
 }
 

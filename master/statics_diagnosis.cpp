@@ -101,11 +101,14 @@ std::string static_failure_cause(const Line& line, const Case& input, const Plat
     const Vec3 a = place_of(line.end_a, pose), b = place_of(line.end_b, pose);
     const double length = line.length();
     if (auto cause = unreasonable_stiffness(line, input)) return *cause;
-    const bool ends_held = line.end_a.kind != EndKind::free && line.end_b.kind != EndKind::free;
+    const auto stands = [](const LineEnd& end) {
+        return end.kind != EndKind::free && end.kind != EndKind::line;
+    };
+    const bool ends_held = stands(line.end_a) && stands(line.end_b);
     for (const auto& [end, at, name] :
          {std::tuple(&line.end_a, a, "A"), std::tuple(&line.end_b, b, "B")}) {
         const double below = bed_height(input.environment.seabed, at) - at.z();
-        if (end->kind != EndKind::free && below > 0.5)
+        if (stands(*end) && below > 0.5)
             return fmt::format("end {} lies {:.4g} m below the seabed", name, below);
     }
     if (ends_held) {

@@ -1,5 +1,7 @@
 #include "local_lines.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -7,6 +9,7 @@
 #include "rod/at_rest.hpp"
 #include "rod/modes.hpp"
 #include "roles.hpp"
+#include "status.hpp"
 
 namespace hawser {
 
@@ -77,7 +80,10 @@ const Reply& LocalLines::receive() {
 
 LineLoad LocalLines::load_of(const RodPack<Quad>& pack, int lane) const {
     LineLoad load{.wrench = pack.pass_wrench(lane), .end_tension = pack.tension_a(lane)};
+    const Line& line =
+        input_->lines[static_cast<std::size_t>(pack.lines()[static_cast<std::size_t>(lane)])];
     for (int c = 0; c < pack.constraint_count(); ++c) {
+        if (line.constraints[static_cast<std::size_t>(c)].other_line >= 0) continue;
         const double mismatch = pack.impulse_mismatch(lane, c);
         if (load.mismatch_at < 0 || mismatch > load.impulse_mismatch)
             load.impulse_mismatch = mismatch, load.mismatch_at = c;
@@ -94,6 +100,13 @@ std::vector<LineAtRest> LocalLines::at_rest() const {
 }
 
 std::vector<RodMode> LocalLines::modes(int line, int count) {
+    for (const std::vector<int>& bundle : bundles_of(*input_))
+        if (bundle.size() > 1 && std::find(bundle.begin(), bundle.end(), line) != bundle.end())
+            throw RunError(
+                ExitCode::input,
+                fmt::format("{} is tied to another line: modes of such lines are not available in "
+                            "this version; --lines names others",
+                            input_->lines[static_cast<std::size_t>(line)].name));
     for (RodPack<Quad>& pack : packs_)
         for (int i = 0; i < static_cast<int>(pack.lines().size()); ++i)
             if (pack.lines()[static_cast<std::size_t>(i)] == line)

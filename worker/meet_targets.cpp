@@ -24,7 +24,7 @@ std::vector<Adjustment> meet_targets(Case& input, const io::Link& link) {
     link.broadcast(values);
     for (std::size_t i = 0; i < values.size(); ++i)
         if (input.lines[i].target.adjust != StaticTarget::Adjust::none)
-            adjust(input.lines[i], input.environment, values[i]);
+            adjust(input, static_cast<int>(i), values[i]);
     return found;
 }
 

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "rod/rod_pack.hpp"
+#include "packing.hpp"
+#include "rod/rod_group.hpp"
 #include "status.hpp"
 
 namespace hawser::worker {
@@ -26,6 +27,8 @@ class TrialLine {
  public:
     TrialLine(const Case& input, int line)
         : input_(input), sea_(still(input), 0.0, 0.0), line_(line) {
+        for (const std::vector<int>& bundle : bundles_of(input))
+            if (std::find(bundle.begin(), bundle.end(), line) != bundle.end()) bundle_ = bundle;
         const Line& its = input.lines[static_cast<std::size_t>(line)];
         found_ = {.line = line,
                   .quantity = its.target.adjust,
@@ -57,14 +60,19 @@ class TrialLine {
     /// How far the goal is missed at this value; empty where there is no static solution. Of
     /// tensions the logarithm: it is nearly straight in the stretch of a taut line.
     std::optional<double> miss(double value) {
-        adjust(input_.lines[static_cast<std::size_t>(line_)], input_.environment, value);
+        adjust(input_, line_, value);
         for (const bool guessed : {true, false}) {  // from the last shape, else from the catenary
-            if (guessed && shape_.empty()) continue;
-            RodPack<Single> rod(input_, sea_, {line_});
-            if (guessed) rod.set_guess(0, shape_);
-            if (!rod.equilibrium({}, false).ok()) continue;
-            shape_ = rod.found_shape(0);
-            return miss_of(rod);
+            if (guessed && shapes_.empty()) continue;
+            std::vector<RodPack<Single>> rods;
+            rods.reserve(bundle_.size());  // the group refers to them
+            for (const int line : bundle_) rods.emplace_back(input_, sea_, std::vector<int>{line});
+            for (std::size_t i = 0; guessed && i < rods.size(); ++i)
+                rods[i].set_guess(0, shapes_[i]);
+            RodGroup<Single> group{std::span(rods)};
+            if (!group.equilibrium({}, false).ok()) continue;
+            shapes_.clear();
+            for (const RodPack<Single>& rod : rods) shapes_.push_back(rod.found_shape(0));
+            return miss_of(rods[its_place()]);
         }
         return {};
     }
@@ -86,6 +94,11 @@ class TrialLine {
         water.waves.clear();
         water.current.reset();
         return water;
+    }
+
+    [[nodiscard]] std::size_t its_place() const {
+        return static_cast<std::size_t>(std::find(bundle_.begin(), bundle_.end(), line_) -
+                                        bundle_.begin());
     }
 
     double miss_of(const RodPack<Single>& rod) {
@@ -115,7 +128,8 @@ class TrialLine {
     int line_;
     int tensioner_ = -1;
     Adjustment found_;
-    std::vector<CatenaryNode> shape_;
+    std::vector<int> bundle_;  ///< the line and all that it is tied to
+    std::vector<std::vector<CatenaryNode>> shapes_;
     std::optional<double> best_;
     double best_at_ = 0.0, least_miss_ = 0.0;
 };

@@ -107,6 +107,8 @@ class Build {
         line.sheltered_above = keys.sheltered_above;
         line.internal_pressure = keys.internal_pressure;
         line_constraints(keys, declared_, line, problems_);
+        tied_end(keys.end_a, false, keys, declared_, line, problems_);
+        tied_end(keys.end_b, true, keys, declared_, line, problems_);
         line_target(keys, line, problems_);
         line_failure(keys, declared_, line, problems_);
         if (keys.end_a.free == true) free_end_a(keys, path);
@@ -234,6 +236,12 @@ class Build {
         } else if (keys.fixed) {
             e.kind = EndKind::fixed;
             e.position = *keys.fixed;
+        } else if (keys.line) {
+            e.kind = EndKind::line;
+            if (!keys.arc) error(path, "required key \"arc\" is missing: where on that line?");
+            if (keys.joint != Joint::ball) {
+                error(path + ".joint", "an end on another line turns freely in this version");
+            }
         } else if (keys.free && !*keys.free) {
             error(path + ".free", "expected true, or another kind of end");
         }
@@ -242,6 +250,7 @@ class Build {
         if (placed && !keys.platform) {
             error(path, "\"position\" and \"polar\" are places on a platform: name it");
         }
+        if (keys.arc && !keys.line) error(path + ".arc", "a place on another line: name it");
         if (keys.motion) {
             if (!keys.fixed) error(path + ".motion", "only a fixed end has a motion of its own");
             e.motion = motion(*keys.motion);

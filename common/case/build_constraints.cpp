@@ -27,6 +27,11 @@ class BuildConstraint {
         if (keys_.type == ConstraintKind::winch) return winch();
         LineConstraint c = common();
         law(c);
+        if (keys_.line) {
+            c.name = name(1);
+            if (c.other_line >= 0) add(c);
+            return;
+        }
         const std::vector<Vec3> places = this->places();
         if (keys_.names && keys_.names->find("{n}") == std::string::npos && places.size() > 1) {
             return error(".names", "several places need \"{n}\" in their names, e.g. \"plate{n}\"");
@@ -111,7 +116,9 @@ class BuildConstraint {
         if (keys_.arc && *keys_.arc > line_.length()) {
             error(".arc", fmt::format("beyond the end of the line at {:.6g} m", line_.length()));
         }
-        if (!keys_.platform) {
+        if (keys_.line) {
+            tie(c);
+        } else if (!keys_.platform) {
             error("", "required key \"platform\" is missing: its name, or seabed for the earth");
         } else if (*keys_.platform == "seabed") {
             c.on_platform = false;
@@ -123,6 +130,26 @@ class BuildConstraint {
                               suggestion(*keys_.platform, {declared_.platform->name, "seabed"})));
         }
         return c;
+    }
+
+    /// To a point of another line.
+    void tie(LineConstraint& c) {
+        c.on_platform = false;
+        if (keys_.platform) error(".platform", "\"line\" stands instead of \"platform\"");
+        if (!keys_.z.empty() || keys_.position || keys_.axis) {
+            error("",
+                  "a tie to another line has no place nor axis of its own: they are those of "
+                  "that line");
+        }
+        if (!keys_.arc) {
+            error("", "required key \"arc\" is missing: which point of this line is tied?");
+        }
+        if (keys_.type == ConstraintKind::ball_joint && !keys_.line_arc) {
+            error("", "required key \"line_arc\" is missing: which point of the other line?");
+        }
+        c.other_arc = keys_.line_arc.value_or(0.0);
+        c.other_line = tied_line(*keys_.line, c.other_arc, line_keys_, declared_, path_ + ".line",
+                                 path_ + ".line_arc", problems_);
     }
 
     /// Where it stands: heights are on the line's own vertical.
@@ -270,6 +297,61 @@ class BuildConstraint {
 Vec3 direction_down(double angle, std::optional<double> azimuth) {
     const double a = azimuth.value_or(0.0);
     return {std::sin(angle) * std::cos(a), std::sin(angle) * std::sin(a), -std::cos(angle)};
+}
+
+int tied_line(const std::string& name, double arc, const LineKeys& line,
+              const DeclaredCase& declared, const std::string& name_path,
+              const std::string& arc_path, Problems& problems) {
+    std::string wanted = name;
+    if (const std::size_t at = wanted.find("{n}"); at != std::string::npos) {
+        int n = 0;
+        for (const LineKeys& other : declared.lines) {
+            if (other.family == line.family) ++n;
+            if (other.name == line.name) break;
+        }
+        wanted.replace(at, 3, std::to_string(n));
+    }
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < declared.lines.size(); ++i) {
+        const LineKeys& other = declared.lines[i];
+        if (other.name != line.name) known.push_back(other.name);
+        if (other.name != wanted) continue;
+        if (wanted == line.name) {
+            problems.push_back({Severity::error, name_path, "a line cannot be tied to itself", {}});
+            return -1;
+        }
+        double length = 0.0;
+        for (const SectionKeys& s : other.sections) length += s.length;
+        if (arc > length * (1.0 + 1e-12)) {
+            problems.push_back({Severity::error,
+                                arc_path,
+                                fmt::format("beyond the end of {} at {:.6g} m", wanted, length),
+                                {}});
+        }
+        return static_cast<int>(i);
+    }
+    problems.push_back({Severity::error,
+                        name_path,
+                        fmt::format("no line is named \"{}\"{}", wanted, suggestion(wanted, known)),
+                        {}});
+    return -1;
+}
+
+void tied_end(const EndKeys& keys, bool is_b, const LineKeys& line_keys,
+              const DeclaredCase& declared, Line& line, Problems& problems) {
+    if (!keys.line) return;
+    const char* name = is_b ? "end_b" : "end_a";
+    const std::string path = fmt::format("lines.{}.{}", line_keys.family, name);
+    LineConstraint tie;
+    tie.type = ConstraintType::ball_joint;
+    tie.name = name;
+    tie.on_platform = false;
+    tie.is_end = true;
+    tie.arc_length = is_b ? line.length() : 0.0;
+    tie.other_arc = keys.arc.value_or(0.0);
+    tie.other_line = tied_line(*keys.line, tie.other_arc, line_keys, declared, path + ".line",
+                               path + ".arc", problems);
+    if (tie.other_line >= 0) line.constraints.push_back(tie);
 }
 
 double first_slope(const Curve& curve, std::optional<double> number) {

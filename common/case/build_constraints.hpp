@@ -24,4 +24,14 @@ void line_target(const LineKeys& keys, Line& line, Problems& problems);
 void line_failure(const LineKeys& keys, const DeclaredCase& declared, Line& line,
                   Problems& problems);
 
+/// Index of the line that another is tied to, at an arc length of it; -1: not found, or itself.
+/// {n} in the name is the number of the tied line in its family.
+int tied_line(const std::string& name, double arc, const LineKeys& line,
+              const DeclaredCase& declared, const std::string& name_path,
+              const std::string& arc_path, Problems& problems);
+
+/// An end of a line on another line: the constraint that ties it.
+void tied_end(const EndKeys& keys, bool is_b, const LineKeys& line_keys,
+              const DeclaredCase& declared, Line& line, Problems& problems);
+
 }  // namespace hawser

@@ -228,7 +228,8 @@ class Completion {
         if (!c.type) return;
         if (c.type == Kind::slider && !c.stiffness) c.stiffness = 100e6;
         if (c.type == Kind::tensioner && !c.arc) c.arc = 0.0;
-        if (!c.axis && (c.type == Kind::guide || c.type == Kind::slider)) c.axis = Vec3::UnitZ();
+        if (!c.axis && !c.line && (c.type == Kind::guide || c.type == Kind::slider))
+            c.axis = Vec3::UnitZ();
         if (c.name || c.names) return;
         static constexpr std::array names{"ball_joint", "flex_joint", "clamp",     "tensioner",
                                           "guide",      "slider",     "pull_tube", "winch"};

@@ -34,13 +34,22 @@ void place_keys(Keys<ConstraintKeys>& k) {
     k.text("platform", &C::platform,
            "Platform that it belongs to; seabed: the earth, where places are x, y, z of the world")
         .eg("spar");
-    k.later("line", "Slider between two lines");
+    k.text("line", &C::line,
+           "Other line that a slider or ball joint ties this one to, instead of a platform; {n} is "
+           "the number of this line in its family")
+        .only_with("type", {"slider", "ball_joint"})
+        .eg("carrier");
+    k.number("line_arc", &C::line_arc, length,
+             "Of a ball joint to another line: arc length there, from its end A")
+        .only_with("type", {"ball_joint"})
+        .at_least(0)
+        .eg("120 m");
     k.text("name", &C::name, "Name in the results").follows("its type").eg("keel");
     k.text("names", &C::names, "With a list of heights: names of each; {n} counts from 1")
         .eg("plate{n}");
     k.number("arc", &C::arc, length,
              "Arc length from end A of the point that is held; of a tensioner 0 m by default, else "
-             "whatever passes the place")
+             "whatever passes the place; with \"line\" always")
         .at_least(0)
         .eg("0 m");
     k.numbers("z", &C::z, length, 1, 1000,

@@ -87,6 +87,8 @@ struct EndKeys {
     std::optional<Vec3> fixed;
     std::optional<MotionKeys> motion;
     std::optional<bool> free;
+    std::optional<std::string> line;  ///< tied to this other line
+    std::optional<double> arc;        ///< and where
     Joint joint = Joint::ball;
     std::optional<double> rotational_stiffness;
     Curve rotational_curve;
@@ -123,7 +125,8 @@ enum class TensionerLaw { linear, gas, table };
 struct ConstraintKeys {
     std::optional<ConstraintKind> type;  ///< empty: not understood
     std::optional<std::string> platform, name, names;
-    std::optional<double> arc;
+    std::optional<std::string> line;  ///< tied to this other line
+    std::optional<double> arc, line_arc;
     std::vector<double> z;
     std::optional<Vec3> position, axis;
     double gap = 0.0, length = 0.0;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "packing.hpp"
+
 namespace hawser {
 namespace {
 
@@ -28,6 +30,7 @@ class LineChecks {
         needs();
         response();
         parts();
+        ties();
     }
 
  private:
@@ -45,6 +48,7 @@ class LineChecks {
 
     /// Key of a constraint: the declared one that its name was made of.
     std::string key_of(const LineConstraint& c) const {
+        if (c.is_end) return "." + c.name;
         for (std::size_t i = 0; i < keys_.constraints.size(); ++i) {
             const ConstraintKeys& declared = keys_.constraints[i];
             std::string start = declared.names.value_or(declared.name.value_or(""));
@@ -95,10 +99,68 @@ class LineChecks {
         return sum;
     }
 
+    /// At a place that the case gives.
+    static bool stands(const LineEnd& end) {
+        return end.kind != EndKind::free && end.kind != EndKind::line;
+    }
+
+    LineModel model_of(const Line& line) const {
+        return line.model.value_or(case_.analysis.dynamics.line_model);
+    }
+
+    /// Lines tied to each other.
+    void ties() {
+        if (line_.target.adjust != StaticTarget::Adjust::none) one_target();
+        for (const LineConstraint& c : line_.constraints) {
+            if (c.other_line < 0) continue;
+            const Line& other = case_.lines[static_cast<std::size_t>(c.other_line)];
+            if (model_of(other) != model_of(line_)) {
+                error(key_of(c), fmt::format("\"{}\" ties it to {}, which has another model: lines "
+                                             "that are tied move together",
+                                             c.name, other.name));
+            }
+            if (c.is_end && waits_for_itself(other)) {
+                error(key_of(c), fmt::format("the end hangs on {}, which in turn hangs on this "
+                                             "line: one of them must stand by itself",
+                                             other.name));
+            }
+        }
+    }
+
+    void one_target() {
+        for (const std::vector<int>& bundle : bundles_of(case_)) {
+            const Line* first = nullptr;
+            for (const int i : bundle) {
+                const Line& line = case_.lines[static_cast<std::size_t>(i)];
+                if (line.target.adjust == StaticTarget::Adjust::none) continue;
+                if (first == nullptr) first = &line;
+                if (&line != &line_ || first == &line_) continue;
+                error(".adjust", fmt::format("{}, to which it is tied, is to be adjusted too: "
+                                             "statics meets one target of such lines",
+                                             first->name));
+            }
+        }
+    }
+
+    /// Do ends on lines lead from `line` back to this one?
+    bool waits_for_itself(const Line& line) const {
+        std::vector<const Line*> reached{&line};
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            if (reached[i] == &line_) return true;
+            for (const LineConstraint& c : reached[i]->constraints) {
+                if (!c.is_end || c.other_line < 0) continue;
+                const Line* next = &case_.lines[static_cast<std::size_t>(c.other_line)];
+                if (std::find(reached.begin(), reached.end(), next) == reached.end())
+                    reached.push_back(next);
+            }
+        }
+        return false;
+    }
+
     void ends() {
         const Vec3 &a = line_.end_a.position, &b = line_.end_b.position;
         const double length = line_.length();
-        const bool held = line_.end_a.kind != EndKind::free && line_.end_b.kind != EndKind::free;
+        const bool held = stands(line_.end_a) && stands(line_.end_b);
         const double distance = (b - a).norm();
         const bool moves = line_.target.adjust != StaticTarget::Adjust::none;
         if (held && !moves && distance > length + stretch()) {
@@ -114,7 +176,7 @@ class LineChecks {
         for (const auto& [end, key] :
              {std::pair{&line_.end_a, ".end_a"}, {&line_.end_b, ".end_b"}}) {
             const double floor = bed(end->position);
-            if (end->kind != EndKind::free && end->position.z() < floor - 1e-9 * std::abs(floor)) {
+            if (stands(*end) && end->position.z() < floor - 1e-9 * std::abs(floor)) {
                 error(key, fmt::format("z = {:.6g} m is below the seabed at {:.6g} m",
                                        end->position.z(), floor));
             }
@@ -146,6 +208,7 @@ class LineChecks {
             warning(key, fmt::format("\"{}\": coefficient of friction {:.3g}; steel has 0.1 to 0.5",
                                      c.name, c.friction));
         }
+        if (c.other_line >= 0) return;
         std::vector<Vec3> places = c.path;
         if (places.empty()) places.push_back(c.position);
         for (const Vec3& place : places) this->place(c, place);
@@ -181,7 +244,7 @@ class LineChecks {
         const double length = line_.length(), arc = c.arc_length.value_or(NAN);
         for (const auto& [end, along] :
              {std::pair{&line_.end_a, arc}, {&line_.end_b, length - arc}}) {
-            if (end->kind == EndKind::free) continue;
+            if (!stands(*end)) continue;
             const double distance = (place - end->position).norm();
             const double reach = (std::isnan(along) ? length : along) * (1.0 + stretch() / length);
             if (distance > reach + 0.1) {
@@ -202,7 +265,7 @@ class LineChecks {
             pull += c.nominal_tension;
             if (tensioner == nullptr) tensioner = &c;
         }
-        if (tensioner == nullptr || line_.end_b.kind == EndKind::free) return;
+        if (tensioner == nullptr || !stands(line_.end_b)) return;
         const double weight = submerged_weight();
         if (pull < 1.1 * weight) {
             warning(key_of(*tensioner),
@@ -285,7 +348,7 @@ class LineChecks {
 
     /// What a line without dynamics cannot have.
     void response() {
-        const LineModel its = line_.model.value_or(case_.analysis.dynamics.line_model);
+        const LineModel its = model_of(line_);
         if (its == LineModel::dynamic) return;
         const auto refuse = [&](bool has, const char* what, const char* instead) {
             if (has) error("", fmt::format("{}; use the model {}", what, instead));
@@ -299,7 +362,7 @@ class LineChecks {
             curved = curved || !type(s.type).EA_curve.empty();
         }
         const auto turns_freely = [](const LineEnd& end) {
-            return end.kind != EndKind::free && end.joint == Joint::ball;
+            return stands(end) && end.joint == Joint::ball;
         };
         refuse(!line_.constraints.empty(), "a catenary runs from end to end without constraints",
                "quasi_static");

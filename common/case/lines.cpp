@@ -137,9 +137,15 @@ const Table& end_keys() {
             .at_least(-turn)
             .at_most(turn)
             .eg("10 deg");
-        k.later("line", "End on another line");
-        k.later("arc", "End on another line");
-        k.rule(KeyRule::Count::exactly_one, {"platform", "anchor", "wellhead", "fixed", "free"});
+        k.text("line", &EndKeys::line,
+               "The end is tied to a point of this other line; {n} is the number of this line in "
+               "its family")
+            .eg("ml1");
+        k.number("arc", &EndKeys::arc, length, "Where on that line: arc length from its end A")
+            .at_least(0)
+            .eg("50 m");
+        k.rule(KeyRule::Count::exactly_one,
+               {"platform", "anchor", "wellhead", "fixed", "free", "line"});
         k.rule(KeyRule::Count::at_most_one, {"position", "polar"});
         return k.done();
     }();

@@ -136,7 +136,7 @@ struct LineConstraint {
     ConstraintType type = ConstraintType::guide;
     std::string name;
     bool on_platform = true;
-    int other_line = -1;    ///< slider, ball joint: index of the line that it ties to; -1: none
+    int other_line = -1;     ///< slider, ball joint: index of the line that it ties to; -1: none
     double other_arc = 0.0;  ///< ball joint: place on that line, arc length from its end A [m]
     bool is_end = false;     ///< ties an end of the line (EndKind::line)
     Vec3 position = Vec3::Zero();             ///< platform axes, or world [m]

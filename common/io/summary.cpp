@@ -290,7 +290,8 @@ std::string limits_text(const Case& input) {
     }
     if (!input.lines.empty()) {
         out +=
-            "lines:    no torsion; no contact between lines; no vortex-induced vibration;\n"
+            "lines:    no torsion; contact between lines at sliders only; no vortex-induced "
+            "vibration;\n"
             "          static solutions without friction of the seabed\n";
     }
     out += "sea:      linear waves, unidirectional; plane seabed\n";

@@ -121,8 +121,7 @@ struct Knot {
             Mat3 K = Mat3::Zero();
             for (int k = 0; k < 3; ++k) {
                 const auto u = static_cast<std::size_t>(k);
-                const double stiffness =
-                    1.0 / (length[u] / EA + (k > 0 ? 1.0 / tie(u) : 0.0));
+                const double stiffness = 1.0 / (length[u] / EA + (k > 0 ? 1.0 / tie(u) : 0.0));
                 const Vec3 r = x - support[u];
                 const Vec3 e = r.normalized();
                 T[k] = stiffness * (r.norm() - length[u]);
@@ -178,15 +177,13 @@ TEST(Bundle, ItsStiffnessIsMinusTheDerivativeOfItsLoads) {  // R:25, R:46
         const double h = j < 3 ? 0.01 : 0.0005;
         std::array<Vec6, 2> up, down;
         ASSERT_TRUE(three.group.equilibrium(moved(j, h), false).ok());
-        for (std::size_t p = 0; p < 2; ++p)
-            up[p] = three.rods[p].wrench(0, moved(j, h).position);
+        for (std::size_t p = 0; p < 2; ++p) up[p] = three.rods[p].wrench(0, moved(j, h).position);
         ASSERT_TRUE(three.group.equilibrium(moved(j, -h), false).ok());
         for (std::size_t p = 0; p < 2; ++p)
             down[p] = three.rods[p].wrench(0, moved(j, -h).position);
         for (std::size_t p = 0; p < 2; ++p) {
             const Vec6 column = (down[p] - up[p]) / (2 * h);
-            EXPECT_LT((K[p].col(j) - column).head<3>().norm(),
-                      5e-4 * column.head<3>().norm() + 2.0)
+            EXPECT_LT((K[p].col(j) - column).head<3>().norm(), 5e-4 * column.head<3>().norm() + 2.0)
                 << p << " " << j << "\n"
                 << K[p].col(j).transpose() << "\n"
                 << column.transpose();
@@ -208,8 +205,7 @@ Case pipe_in_pipe(double EI_outer, double EI_inner, double m_outer, double m_inn
     input.line_types = {plain_type(m_outer, 1e9, EI_outer), plain_type(m_inner, 1e9, EI_inner)};
     for (const int type : {0, 1})
         add_line(input, type, L, elements, fixed_at({0, 0, 0}), fixed_at({L, 0, 0}));
-    for (int n = 1; n < elements; ++n)
-        slide(input, 1, 0, L * n / elements, 1e9, gap);
+    for (int n = 1; n < elements; ++n) slide(input, 1, 0, L * n / elements, 1e9, gap);
     return input;
 }
 
@@ -225,7 +221,8 @@ TEST(Bundle, APipeInAPipeBendsAsOneBeamOfBoth) {
     for (int c = 0; c < pair.rods[1].constraint_count(); ++c)
         through += pair.rods[1].constraint_force(0, c).z();
     const double handed_on = (3.0 - 3.5 / 3) * 9.80665 * 20;
-    EXPECT_NEAR(-through, handed_on, 0.06 * handed_on);  // the half elements at the ends keep theirs
+    EXPECT_NEAR(-through, handed_on,
+                0.06 * handed_on);  // the half elements at the ends keep theirs
 }
 
 TEST(Bundle, APipeWithPlayTouchesWhereItWouldLeaveTheOther) {
@@ -263,8 +260,7 @@ TEST(Bundle, TwinsMoveAsOneAndTheirTiesRest) {
         EXPECT_LT((twins.rods[1].node_position(0, n) - one.rods[0].node_position(0, n)).norm(),
                   1e-7)
             << n;
-    for (int c = 0; c < 3; ++c)
-        EXPECT_LT(twins.rods[1].constraint_force(0, c).norm(), 1.0) << c;
+    for (int c = 0; c < 3; ++c) EXPECT_LT(twins.rods[1].constraint_force(0, c).norm(), 1.0) << c;
 }
 
 /// A sagging line between two points, its top shaken, in one piece or tied together at 60 m.
@@ -305,7 +301,8 @@ TEST(Bundle, ALineInTwoPiecesIsTheLineInOne) {
             continue;
         }
         Record a, b;
-        ASSERT_TRUE(whole.run(20, 0.1, [&](double t) { a.add(t, whole.rods[0].tension_a(0)); }).ok());
+        ASSERT_TRUE(
+            whole.run(20, 0.1, [&](double t) { a.add(t, whole.rods[0].tension_a(0)); }).ok());
         ASSERT_TRUE(tied.run(20, 0.1, [&](double t) { b.add(t, tied.rods[1].tension_a(0)); }).ok());
         EXPECT_GT(a.deviation(), 0.05 * T);
         EXPECT_LT(rms_difference(a, b), 0.01 * a.deviation());  // the meshes' own error
@@ -398,8 +395,8 @@ struct Crossed {
     [[nodiscard]] Motion motion() const {
         Motion out;
         for (const RodPack<Single>& rod : pair.rods) out.add(rod, L, m, EA, EI);
-        out.energy += pair.rods[1].constraint_energy(0, 0) +
-                      pair.rods[1].constraint_dissipated(0, 0);
+        out.energy +=
+            pair.rods[1].constraint_energy(0, 0) + pair.rods[1].constraint_dissipated(0, 0);
         return out;
     }
 };
@@ -416,8 +413,8 @@ TEST_P(CrossedRods, KeepTheirMomentumAndEnergy) {
         ASSERT_TRUE(rods.pair
                         .run(2.0, step,
                              [&](double) {
-                                 pulled = std::max(
-                                     pulled, rods.pair.rods[1].constraint_force(0, 0).norm());
+                                 pulled = std::max(pulled,
+                                                   rods.pair.rods[1].constraint_force(0, 0).norm());
                              })
                         .ok());
         const Motion after = rods.motion();
@@ -428,7 +425,9 @@ TEST_P(CrossedRods, KeepTheirMomentumAndEnergy) {
         EXPECT_LT(turned, 2e-3) << step;
         const double lost = std::abs(after.energy / before.energy - 1);
         EXPECT_LT(lost, 2e-2) << step;
-        if (last > 0.0) { EXPECT_LT(lost, 0.5 * last + 1e-4); }
+        if (last > 0.0) {
+            EXPECT_LT(lost, 0.5 * last + 1e-4);
+        }
         last = lost;
     }
 }
@@ -466,17 +465,16 @@ TEST(Bundle, ItsBitsDoNotDependOnTheBundlesBeside) {
         EXPECT_TRUE(group.equilibrium({}, false).ok());
         const PlatformMotion still;
         for (int k = 0; k < 8; ++k) {
-            EXPECT_TRUE(
-                group.pass(0.5 * k, 0.5 * k + 0.5,
-                           MotionSpline(0.5 * k, still, 0.5 * k + 0.5, still))
-                    .ok());
+            EXPECT_TRUE(group
+                            .pass(0.5 * k, 0.5 * k + 0.5,
+                                  MotionSpline(0.5 * k, still, 0.5 * k + 0.5, still))
+                            .ok());
             group.keep();
         }
         std::vector<std::vector<double>> bits(bundles.size());
         for (std::size_t i = 0; i < bundles.size(); ++i)
             for (const RodPack<Quad>& rod : rods)
-                for (const Quad& v : rod.kept().block())
-                    bits[i].push_back(v[static_cast<int>(i)]);
+                for (const Quad& v : rod.kept().block()) bits[i].push_back(v[static_cast<int>(i)]);
         return bits;
     };
     const auto together = run_with({0, 1, 2, 3});

@@ -108,7 +108,7 @@ TEST(StaticTargets, AnAnchorStaysOnTheSlopeOfTheBed) {
     Case input = chain(400);
     input.environment.seabed.slope_angle = 0.1;  // rises with x
     input.lines[0].target = {.adjust = Adjust::anchor_radius, .pretension = 7e5};
-    adjust(input.lines[0], input.environment, 410.0);
+    adjust(input, 0, 410.0);
     const Vec3& b = input.lines[0].end_b.position;
     EXPECT_NEAR(b.x(), 410 * std::cos(0.7), 1e-9);
     EXPECT_NEAR(b.z(), -200 + std::tan(0.1) * b.x(), 1e-9);
@@ -119,7 +119,7 @@ TEST(StaticTargets, WhatHangsBeyondTheSectionMovesWithItsEnd) {
     input.lines[0].attachments = {{.arc_length = 200, .mass = 1},
                                   {.arc_length = 1510, .mass = 1},
                                   {.arc_length = 1516, .mass = 1}};
-    adjust(input.lines[0], input.environment, 1300.0);  // 10 m less
+    adjust(input, 0, 1300.0);  // 10 m less
     EXPECT_EQ(input.lines[0].attachments[0].arc_length, 200.0);
     EXPECT_EQ(input.lines[0].attachments[1].arc_length, 1500.0);
     EXPECT_EQ(input.lines[0].attachments[2].arc_length, 1506.0);

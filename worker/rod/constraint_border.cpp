@@ -128,26 +128,26 @@ auto RodPack<V>::border_of_constraints(int lane, const Vec3& reference, Mat6& M,
 }
 
 template RodPack<Single>::Border RodPack<Single>::border_of_constraints(int, const Vec3&, Mat6&,
-                                                                      TieBorder<Single>*) const;
+                                                                        TieBorder<Single>*) const;
 template void RodPack<Single>::begin_border(int, TieBorder<Single>&) const;
 template Mat6 RodPack<Single>::border_at_end_a<4>(int, const Eigen::Matrix<double, 4, 4>&,
-                                               const Eigen::Matrix<double, 4, 6>&,
-                                               TieBorder<Single>*,
-                                               const Eigen::Matrix<double, 3, 6>*) const;
+                                                  const Eigen::Matrix<double, 4, 6>&,
+                                                  TieBorder<Single>*,
+                                                  const Eigen::Matrix<double, 3, 6>*) const;
 template Mat6 RodPack<Single>::border_at_end_a<7>(int, const Eigen::Matrix<double, 7, 7>&,
-                                               const Eigen::Matrix<double, 7, 6>&,
-                                               TieBorder<Single>*,
-                                               const Eigen::Matrix<double, 3, 6>*) const;
+                                                  const Eigen::Matrix<double, 7, 6>&,
+                                                  TieBorder<Single>*,
+                                                  const Eigen::Matrix<double, 3, 6>*) const;
 template RodPack<Quad>::Border RodPack<Quad>::border_of_constraints(int, const Vec3&, Mat6&,
-                                                                      TieBorder<Quad>*) const;
+                                                                    TieBorder<Quad>*) const;
 template void RodPack<Quad>::begin_border(int, TieBorder<Quad>&) const;
 template Mat6 RodPack<Quad>::border_at_end_a<4>(int, const Eigen::Matrix<double, 4, 4>&,
-                                               const Eigen::Matrix<double, 4, 6>&,
-                                               TieBorder<Quad>*,
-                                               const Eigen::Matrix<double, 3, 6>*) const;
+                                                const Eigen::Matrix<double, 4, 6>&,
+                                                TieBorder<Quad>*,
+                                                const Eigen::Matrix<double, 3, 6>*) const;
 template Mat6 RodPack<Quad>::border_at_end_a<7>(int, const Eigen::Matrix<double, 7, 7>&,
-                                               const Eigen::Matrix<double, 7, 6>&,
-                                               TieBorder<Quad>*,
-                                               const Eigen::Matrix<double, 3, 6>*) const;
+                                                const Eigen::Matrix<double, 7, 6>&,
+                                                TieBorder<Quad>*,
+                                                const Eigen::Matrix<double, 3, 6>*) const;
 
 }  // namespace hawser::worker

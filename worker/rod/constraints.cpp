@@ -56,8 +56,7 @@ void RodPack<V>::set_constraints(const Case& input) {
                 to.tied = tied;
                 to.is_end_a = points[k].is_end && *points[k].arc_length == 0.0;
                 to.is_end_b = points[k].is_end && !to.is_end_a;
-                LaneTraits<V>::set(to.on_platform, i,
-                                   points[k].on_platform && !tied ? 1.0 : 0.0);
+                LaneTraits<V>::set(to.on_platform, i, points[k].on_platform && !tied ? 1.0 : 0.0);
                 to.at.push_back(std::move(points[k]));
             }
         }

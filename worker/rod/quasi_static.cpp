@@ -97,8 +97,7 @@ auto RodGroup<V>::still_attempt(Mask wanted, double t0, double t1, V t,
         for (RodPack<V>& p : packs_) {
             // the first correction brings every point to within centimetres of its place
             if (i < 2) p.current_at(t1, platform);
-            if (!p.curves_.empty())
-                fits = fits & p.follow_curves(iterating, &p.kept_, V(t1 - t0));
+            if (!p.curves_.empty()) fits = fits & p.follow_curves(iterating, &p.kept_, V(t1 - t0));
         }
         place(&RodPack<V>::kept_, V(t0), t, platform, false);
         evaluate(V(0.0));

@@ -12,8 +12,7 @@ RodGroup<V>::RodGroup(std::span<RodPack<V>> packs) : packs_(packs) {
 template <class V>
 void RodGroup<V>::place(State before, V t_before, V t, const MotionSpline& platform, bool search) {
     for (RodPack<V>& p : packs_)
-        if (!p.constraints_.empty())
-            p.place_constraints(p.*before, t_before, t, platform, search);
+        if (!p.constraints_.empty()) p.place_constraints(p.*before, t_before, t, platform, search);
     if (!ties_.empty()) place_ties(before, search);
 }
 

@@ -1,6 +1,5 @@
 // Set-up of a pack from the case, motion of its ends, and what can be read from it.
 #include "rod/rod_pack.hpp"
-#include "rod/tie_system.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include "environment/ramp.hpp"
 #include "line_mesh.hpp"
 #include "rod/lane_access.hpp"
+#include "rod/tie_system.hpp"
 
 namespace hawser::worker {
 

@@ -57,10 +57,10 @@ struct HullMotion {
 template <class V>
 struct PlacedConstraint {
     Law<V> law;
-    SlopeLaw<V> joint;               ///< of a flex joint or a clamp
-    int declared = 0;                ///< index into Line::constraints; -1: mirror of another rod's
-    bool tied = false;               ///< to a point of another rod
-    bool mirror = false;             ///< the other rod's side of a tie: takes what the tie gives
+    SlopeLaw<V> joint;    ///< of a flex joint or a clamp
+    int declared = 0;     ///< index into Line::constraints; -1: mirror of another rod's
+    bool tied = false;    ///< to a point of another rod
+    bool mirror = false;  ///< the other rod's side of a tie: takes what the tie gives
     int of_line = -1, of_constraint = -1;  ///< mirror: line and constraint (of lane 0) it mirrors
     bool is_end_a = false, is_end_b = false;  ///< tied end of the line
     std::vector<LineConstraint> at;  ///< one per lane; of a pull tube its point and tangent there
@@ -451,7 +451,7 @@ class RodPack {
     EndValues<V> end_a_, end_b_;
     Vector<V> reaction_a_, reaction_b_, moment_a_, moment_b_;
     Vector<V> found_force_a_, found_force_b_, found_moment_a_, found_moment_b_;  ///< in each lane's
-                                                                                ///< last iteration
+                                                                                 ///< last iteration
     V correction_size_{}, correction_finite_{};  ///< largest [m]; 0, or NaN
     V last_D_[7][7], last_R_[7];                 ///< node at end A before its elimination
     NodeFactor<V> last_;  ///< its factors; of a prescribed end rows 3 to 6, from index 0

@@ -417,8 +417,8 @@ Status RodGroup<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
         if (any(everything_of(guessed))) return unsolved(guessed);
         bool held = false;
         for (RodPack<V>& p : packs_) {
-            p.law_on_ = !any(p.axis_is_static_a_ | p.axis_is_static_b_) &&
-                        !p.has_static_joint_axes();
+            p.law_on_ =
+                !any(p.axis_is_static_a_ | p.axis_is_static_b_) && !p.has_static_joint_axes();
             held = held || std::any_of(p.constraints_.begin(), p.constraints_.end(),
                                        [](const PlacedConstraint<V>& c) {
                                            return c.tied ||

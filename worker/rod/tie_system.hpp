@@ -2,10 +2,9 @@
 // small system that joins them, R:46.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "rod/vector3.hpp"
 
@@ -26,11 +25,11 @@ struct TieSide {
         V x[7][3];
     };
     std::size_t pack = 0, constraint = 0;
-    std::size_t first = 0;      ///< the first node, of any lane, that has an entry
-    V Q[3][3];                  ///< [sqrt(N/m)]
-    std::vector<Columns> z;     ///< L^-1 Z of every node but that at end A
-    Columns last;               ///< what has reached that node
-    V reaction[3][3];           ///< rows of a prescribed end B
+    std::size_t first = 0;   ///< the first node, of any lane, that has an entry
+    V Q[3][3];               ///< [sqrt(N/m)]
+    std::vector<Columns> z;  ///< L^-1 Z of every node but that at end A
+    Columns last;            ///< what has reached that node
+    V reaction[3][3];        ///< rows of a prescribed end B
 };
 
 /// What joins the stiffness of tied rods about the platform, of one lane of a pack: for its sides

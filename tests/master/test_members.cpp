@@ -267,6 +267,15 @@ TEST(Plates, ActAlongTheirNormalAlone) {
     EXPECT_NEAR((whirled[Load::plates] - still[Load::plates])[0], 2e5 * 0.04 * 30, 1e-6);
 }
 
+TEST(Plates, PitchingDragsThemBySpeedOfTheirPlace) {
+    Case c = bare_case();
+    c.platform->plates = {{.name = "fin", .position = {30, 0, -20}, .area = 50, .Cd = 4}};
+    const Vec6 load = Hull(c, nullptr).loads(0, moving({0, 0, 0}, {0, 0.1, 0}))[Load::plates];
+    const double lift = 0.5 * rho * 4 * 50 * 3.0 * 3.0;  // it sinks with 3 m/s
+    EXPECT_NEAR(load[2], lift, 1e-9 * lift);
+    EXPECT_NEAR(load[4], -30 * lift, 1e-9 * 30 * lift);
+}
+
 TEST(Plates, SinkingPlateReachesItsTerminalSpeed) {
     Case c = bare_case();
     c.platform->plates = {

@@ -232,6 +232,7 @@ Impact strike(double step) {
 TEST(Guide, StruckAtTwoMetresASecondPushesAndNeverPulls) {
     const Impact coarse = strike(0.0025), fine = strike(0.000625);
     EXPECT_TRUE(coarse.complementary);
+    EXPECT_TRUE(fine.complementary);
     // no more than the damper at first touch and what a rod as heavy as a guide's spacing can do to
     // the spring: v (c + sqrt(k m))
     const double bound = 2.0 * (2e5 + std::sqrt(2e7 * 40 * (337 + 1025 * 0.1295)));

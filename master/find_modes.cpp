@@ -2,13 +2,16 @@
 #include <fmt/format.h>
 #include <fnmatch.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "equilibrium.hpp"
 #include "failure_message.hpp"
 #include "io/hydro_file.hpp"
 #include "modes_report.hpp"
+#include "packing.hpp"
 #include "static_start.hpp"
 
 namespace hawser {
@@ -35,17 +38,29 @@ ModesReport find_modes(const Case& input, const ModesRequest& request) {
         report.coupled = start.modes;
     }
     std::vector<LineAtRest> rest = lines->at_rest();
+    std::vector<int> tied;
+    for (const std::vector<int>& bundle : bundles_of(input))
+        if (bundle.size() > 1) tied.insert(tied.end(), bundle.begin(), bundle.end());
+    std::sort(tied.begin(), tied.end());
+    bool matched = false;
     const int count = request.count > 0 ? request.count : input.analysis.modes;
     for (int i = 0; i < static_cast<int>(input.lines.size()); ++i) {
         const std::string& name = input.lines[static_cast<std::size_t>(i)].name;
-        if (fnmatch(request.lines.c_str(), name.c_str(), 0) == 0)
+        if (fnmatch(request.lines.c_str(), name.c_str(), 0) != 0) continue;
+        matched = true;
+        if (std::binary_search(tied.begin(), tied.end(), i))
+            report.warnings.push_back(
+                fmt::format("{} is tied to another line: modes of such lines are not available in "
+                            "this version",
+                            name));
+        else
             report.lines.push_back(
                 {.line = i,
                  .modes = lines->modes(i, count),
                  .position = std::move(rest[static_cast<std::size_t>(i)].position),
                  .arc_length = std::move(rest[static_cast<std::size_t>(i)].arc_length)});
     }
-    if (report.lines.empty() && !input.lines.empty())
+    if (!matched && !input.lines.empty())
         throw RunError(ExitCode::input, fmt::format("no line is called \"{}\"; the first is \"{}\"",
                                                     request.lines, input.lines.front().name));
     return report;

@@ -1,7 +1,5 @@
 #include "local_lines.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 
@@ -9,7 +7,6 @@
 #include "rod/at_rest.hpp"
 #include "rod/modes.hpp"
 #include "roles.hpp"
-#include "status.hpp"
 
 namespace hawser {
 
@@ -100,13 +97,6 @@ std::vector<LineAtRest> LocalLines::at_rest() const {
 }
 
 std::vector<RodMode> LocalLines::modes(int line, int count) {
-    for (const std::vector<int>& bundle : bundles_of(*input_))
-        if (bundle.size() > 1 && std::find(bundle.begin(), bundle.end(), line) != bundle.end())
-            throw RunError(
-                ExitCode::input,
-                fmt::format("{} is tied to another line: modes of such lines are not available in "
-                            "this version; --lines names others",
-                            input_->lines[static_cast<std::size_t>(line)].name));
     for (RodPack<Quad>& pack : packs_)
         for (int i = 0; i < static_cast<int>(pack.lines().size()); ++i)
             if (pack.lines()[static_cast<std::size_t>(i)] == line)

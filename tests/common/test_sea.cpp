@@ -119,6 +119,18 @@ TEST(Sea, ElevationHasTheVarianceOfItsComponents) {
 }
 
 // Wave of 12 s, period and height of a regular wave as given.
+TEST(Sea, PeakFrequencyIsThatOfTheLongestTrain) {
+    Environment environment = storm();
+    WaveTrain swell = environment.waves[0], regular{.type = WaveType::airy, .H = 1.0, .T = 9.0};
+    swell.Tp = 18.0;
+    EXPECT_EQ(Sea(Environment{}, 0.0, 1.0).peak_frequency(), 0.0);
+    for (const auto& trains : {std::vector{environment.waves[0], swell, regular},
+                               std::vector{swell, regular, environment.waves[0]}}) {
+        environment.waves = trains;
+        EXPECT_DOUBLE_EQ(Sea(environment, 0.0, 1.0).peak_frequency(), 2 * std::numbers::pi / 18.0);
+    }
+}
+
 TEST(Sea, RegularWaveHasItsHeightAndItsCrestAtTheOriginAtPhaseZero) {
     Environment environment;
     environment.seabed.depth = 200.0;

@@ -76,6 +76,23 @@ TEST(WindField, ComponentsFillTheBand) {
     EXPECT_LE(last, M_PI);
 }
 
+// One in each of 200 bins of equal width in ln f, its place in the bin uniform: mean 1/2, variance
+// 1/12 (five standard errors of 200 numbers), and both halves of the bins are used.
+TEST(WindField, FrequenciesAreRandomInsideTheirBins) {
+    const auto gusts = WindField(paper_wind, 0.0, 30.0).components();
+    const double bin = std::log(300.0) / 200;  // 1/600 to 0.5 Hz
+    double mean = 0.0, square = 0.0;
+    for (std::size_t i = 0; i < gusts.size(); ++i) {
+        const double place =
+            std::log(gusts[i].omega / (2.0 * M_PI / 600.0)) / bin - static_cast<double>(i);
+        EXPECT_GE(place, -1e-9) << i;
+        EXPECT_LE(place, 1.0 + 1e-9) << i;
+        mean += place / 200.0, square += place * place / 200.0;
+    }
+    EXPECT_NEAR(mean, 0.5, 5.0 * std::sqrt(1.0 / 12 / 200));
+    EXPECT_NEAR(square - mean * mean, 1.0 / 12, 5.0 * std::sqrt(1.0 / 180 / 200));
+}
+
 // Most of the energy lies below 0.02 Hz on some 80 lines of unequal strength: correlations of the
 // order of 0.2 remain, a repetition would be 1.
 TEST(WindField, GustsDoNotRepeatWithinThreeHours) {

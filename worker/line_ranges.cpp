@@ -32,13 +32,17 @@ void QuantityRange::add(const Recovery<Quad>& now, double t) {
     for (int n = 0; n < now.nodes(); ++n) {
         const Quad x = now.node(n)[q];
         Node& node = node_[static_cast<std::size_t>(n)];
-        const auto less = x<node.min, more = x> node.max;  // not where x is NaN
-        node.min = select(less, x, node.min), node.t_min = select(less, time, node.t_min);
-        node.max = select(more, x, node.max), node.t_max = select(more, time, node.t_max);
+        // of a tension that jumps at the node the lesser and the greater side
+        const bool tension = quantity_ == LineQuantity::effective_tension;
+        const Quad least = tension ? now.tensions(n)[0] : x,
+                   most = tension ? now.tensions(n)[1] : x;
+        const auto less = least<node.min, more = most> node.max;  // not where x is NaN
+        node.min = select(less, least, node.min), node.t_min = select(less, time, node.t_min);
+        node.max = select(more, most, node.max), node.t_max = select(more, time, node.t_max);
         const Quad from_mean = x - node.mean;
         node.mean += from_mean * inverse_n;
         node.squares += from_mean * (x - node.mean);
-        greatest = select(x > greatest, x, greatest);
+        greatest = select(most > greatest, most, greatest);
     }
     const auto record = greatest > greatest_;
     if (!any(record)) return;
@@ -97,7 +101,7 @@ void LineWatch::add(const Recovery<Quad>& now, double t) {
         const Quad counted = counts_[static_cast<std::size_t>(n)];
         const auto counts = counted > Quad(0.5);
         for (std::size_t k = 0; k < watched.size(); ++k) {
-            const Quad value = now.node(n)[index_of(watched[k])];
+            const Quad value = k < 2 ? now.tensions(n)[k] : now.node(n)[index_of(watched[k])];
             const Quad x = k == 0 ? -value : value;  // least tension: greatest of the negative
             Extreme& e = extremes_[k];
             auto more = x > e.value;
@@ -106,7 +110,7 @@ void LineWatch::add(const Recovery<Quad>& now, double t) {
             e.node = select(more, Quad(static_cast<double>(n)), e.node);
             e.time = select(more, time, e.time);
         }
-        slack = select((now.node(n)[T] < limit_) & counts, Quad(1.0), slack);
+        slack = select((now.tensions(n)[0] < limit_) & counts, Quad(1.0), slack);
     }
     const auto is_slack = slack > Quad(0.5);
     if (started_) duration_ += select(is_slack, Quad(t - last_time_), Quad(0.0));

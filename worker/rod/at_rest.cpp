@@ -22,7 +22,6 @@ LineAtRest at_rest(const RodPack<V>& pack, int lane, const Case& input) {
         input.lines[static_cast<std::size_t>(pack.lines()[static_cast<std::size_t>(lane)])];
     const LineMesh mesh = mesh_of(line);
     const std::vector<double>& s = mesh.arc_length;
-    const auto N = static_cast<std::size_t>(mesh.elements());
 
     LineAtRest out;
     out.tension_a = pack.tension_a(lane);
@@ -31,18 +30,16 @@ LineAtRest at_rest(const RodPack<V>& pack, int lane, const Case& input) {
     out.declination_a = declination(u_a), out.declination_b = declination(u_b);
     out.azimuth_a = azimuth(u_a), out.azimuth_b = azimuth(u_b);
 
-    for (std::size_t n = 0; n <= N; ++n) {  // R:2
-        const std::size_t from_b = N - n;
-        const Vector<V>& d = pack.kept().nodes()[from_b].d;
-        const double stretch = T::get(sqrt(dot(d, d)), lane);
-        const double tension = T::get(pack.kept().lambda()[2 * from_b].now, lane) * stretch;
-        if (n == 0 || tension < out.lowest_tension) {
-            out.lowest_tension = tension;
-            out.lowest_at = s[n];
-        }
+    Recovery<V> recovery(input, pack);
+    recovery.recover(pack, false);
+    for (int n = 0; n <= mesh.elements(); ++n) {
+        const double tension = T::get(recovery.tensions(n)[0], lane);
+        if (n > 0 && tension >= out.lowest_tension) continue;
+        out.lowest_tension = tension;
+        out.lowest_at = s[static_cast<std::size_t>(n)];
     }
 
-    const Grounding bed = Recovery<V>(input, pack).grounding(pack, lane);
+    const Grounding bed = recovery.grounding(pack, lane);
     out.grounded = bed.grounded;
     out.touchdown = bed.touchdown;
     out.arc_length = s;

@@ -74,6 +74,7 @@ void RodPack<V>::current_at(double t, const MotionSpline& platform) {
     const double factor = sea_->current_factor(t);
     current_only(factor > 0.0, V(t), platform);
     if (factor == 1.0) return;
+    current_share_ *= factor;
     for (Water<V>& w : water_) w.u = V(factor) * w.u;
 }
 

@@ -105,7 +105,10 @@ Vector<Single> lane_of(const Vector<Single>& x, int) { return x; }
 
 template <class V>
 Recovery<V>::Recovery(const Case& input, const RodPack<V>& rod)
-    : gravity_(input.environment.water.gravity), water_density_(input.environment.water.density) {
+    : gravity_(input.environment.water.gravity),
+      water_density_(input.environment.water.density),
+      forces_(rod.elements()),
+      has_forces_(rod.model() != LineModel::catenary) {
     using T = LaneTraits<V>;
     const auto N = static_cast<std::size_t>(rod.elements());
     below_.resize(N + 1), above_.resize(N + 1);
@@ -113,6 +116,7 @@ Recovery<V>::Recovery(const Case& input, const RodPack<V>& rod)
     contents_weight_.resize(N);
     bend_.resize(2 * N);
     nodes_.resize(N + 1);
+    tensions_.resize(N + 1);
     for (int i = 0; i < T::count; ++i) {
         const std::size_t used =
             static_cast<std::size_t>(i) < rod.lines().size() ? static_cast<std::size_t>(i) : 0;
@@ -149,6 +153,7 @@ void Recovery<V>::recover(const RodPack<V>& rod, bool angles) {
     const NodeState<V>* node = rod.state().nodes();
     const Multiplier<V>* lambda = rod.state().lambda();
     const std::vector<ElementProperties<V>>& element = rod.properties();
+    if (has_forces_) rod.section_forces(forces_);
     for (std::size_t e = 0; e < N; ++e) {
         bend_[2 * e] = second_derivative(rod, e, best_low);
         bend_[2 * e + 1] = second_derivative(rod, e, best_high);
@@ -157,11 +162,22 @@ void Recovery<V>::recover(const RodPack<V>& rod, bool angles) {
     for (std::size_t n = N + 1; n-- > 0;) {  // from end A, for the head of the contents
         RodPoint<V> at;
         at.r = node[n].r, at.v = node[n].v, at.d = node[n].d;
-        at.tension = lambda[2 * n].now * sqrt(dot(at.d, at.d));  // R:37
-        if (n == N || n == 0) {
-            for (int i = 0; i < static_cast<int>(rod.lines().size()); ++i)
-                T::set(at.tension, i, n == N ? rod.tension_a(i) : rod.tension_b(i));
+        V above = lambda[2 * n].now * sqrt(dot(at.d, at.d)), below = above;  // R:2
+        if (has_forces_) {                                                   // R:37
+            const V stretch = V(1.0) / sqrt(dot(at.d, at.d));
+            above = stretch * dot(forces_.above[n], at.d);
+            below = stretch * dot(forces_.below[n], at.d);
+            if (n == 0) below = above;  // what is inside the rod
+            if (n == N) above = below;
         }
+        if (n == N ? rod.held_a() : n == 0 && rod.held_b()) {
+            for (int i = 0; i < static_cast<int>(rod.lines().size()); ++i)
+                T::set(below, i, n == N ? rod.tension_a(i) : rod.tension_b(i));
+            above = below;
+        }
+        at.tension = below;
+        tensions_[n] = {min(above, below), max(above, below)};
+        const bool jumps = any((above > below) | (above < below));
         if (n < N && has_contents_) p_i += contents_weight_[n] * (node[n + 1].r.z - at.r.z);
         at.p_i = p_i;
         at.p_o = V(water_density_ * gravity_) * max(V(0.0), -at.r.z);
@@ -188,8 +204,9 @@ void Recovery<V>::recover(const RodPack<V>& rod, bool angles) {
         put_shape(at, angles, out);
         const V moment = out[index_of(LineQuantity::bend_moment)];
         put_stress(below_[n], at, moment, out);
-        if (joint_[n] != 0) {
+        if (joint_[n] != 0 || jumps) {
             Recovered<V> other;
+            at.tension = above;
             put_stress(above_[n], at, moment, other);
             choose_larger_stress(out, other);
         }
@@ -210,8 +227,41 @@ RodPlace Recovery<V>::place(const Case& input, const RodPack<V>& rod, int lane,
     const auto e = static_cast<std::size_t>(p.element);
     p.xi = (s - arc[e]) / (arc[e + 1] - arc[e]);
     p.end = s <= 0.0 ? -1 : s >= arc.back() ? 1 : 0;
+    p.above = shares_above(p.xi);
     set_section(p.section, 0, stress_section(input, line, arc_length, true));
     return p;
+}
+
+template <class V>
+Vector<Single> Recovery<V>::force_at(const RodPack<V>& rod, const RodPlace& place) const {
+    using T = LaneTraits<V>;
+    const auto e = static_cast<std::size_t>(place.element);
+    const int lane = place.lane;
+    if (!has_forces_) {  // lambda r'
+        const NodeState<V>&a = rod.state().nodes()[e], &b = rod.state().nodes()[e + 1];
+        const auto P = quadratic(place.xi);
+        const auto g = reduced_slope(place.xi);
+        const double L = T::get(rod.properties()[e].L, lane);
+        double lambda = 0.0;
+        for (std::size_t k = 0; k < 3; ++k)
+            lambda += P[k] * T::get(rod.state().lambda()[2 * e + k].now, lane);
+        return Single(lambda / L) *
+               (Single(g[0]) * lane_of(b.r - a.r, lane) + Single(g[1] * L) * lane_of(a.d, lane) +
+                Single(g[2] * L) * lane_of(b.d, lane));
+    }
+    // R:46; at a node the side towards end B, at end B what is inside the rod
+    if (place.xi <= 0.0) return lane_of(e == 0 ? forces_.above[0] : forces_.below[e], lane);
+    Vector<Single> F = lane_of(forces_.below[e + 1], lane);
+    if (place.xi >= 1.0) return F;
+    for (std::size_t g = 0; g < gauss_points; ++g)
+        F -= Single(place.above[g]) * lane_of(forces_.load[e * gauss_points + g], lane);
+    for (const auto& jump : forces_.jumps) {
+        const double xi = T::get(jump.xi, lane);
+        if (T::get(jump.element, lane) == static_cast<double>(place.element) && xi >= place.xi &&
+            xi < 1.0 - at_node && xi > at_node)
+            F += lane_of(jump.force, lane);
+    }
+    return F;
 }
 
 template <class V>
@@ -236,12 +286,9 @@ Recovered<Single> Recovery<V>::at(const RodPack<V>& rod, const RodPlace& place) 
     const auto g = reduced_slope(place.xi);
     at.d = Single(1.0 / length(e)) *
            sum(std::array<double, 4>{-g[0], g[1], g[0], g[2]}, &Node::r, &Node::d);
-    const auto P = quadratic(place.xi);
-    double l = 0.0;
-    for (std::size_t k = 0; k < 3; ++k)
-        l += P[k] * T::get(rod.state().lambda()[2 * e + k].now, lane);
-    at.tension = Single(l) * sqrt(dot(at.d, at.d));
-    if (place.end != 0) at.tension = place.end > 0 ? rod.tension_a(lane) : rod.tension_b(lane);
+    at.tension = dot(force_at(rod, place), at.d) / sqrt(dot(at.d, at.d));
+    if (place.end > 0 && rod.held_a()) at.tension = rod.tension_a(lane);
+    if (place.end < 0 && rod.held_b()) at.tension = rod.tension_b(lane);
     at.p_i = T::get(internal_pressure_, lane);
     if (has_contents_) {
         for (std::size_t k = N; k-- > e;) {

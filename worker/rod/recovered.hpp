@@ -8,6 +8,7 @@
 
 #include "line_quantities.hpp"
 #include "rod/rod_pack.hpp"
+#include "rod/section_forces.hpp"
 #include "rod/stress.hpp"
 
 namespace hawser::worker {
@@ -22,6 +23,7 @@ struct RodPlace {
     int element = 0;  ///< from end B
     double xi = 0.0;  ///< in the element, from end B
     int end = 0;      ///< 1: end A, -1: end B, 0: between; end tensions are those of the reaction
+    std::array<double, gauss_points> above{};  ///< shares of the element's loads above it, R:46
     StressSection<Single> section;
 };
 
@@ -40,24 +42,30 @@ class Recovery {
     /// All quantities at all nodes in the rod's working state. Angles only if `angles`: they are
     /// the costly ones.
     ///
-    ///     T_eff = lambda |r'|,  kappa = |r' x r''|/|r'|^3,  M = B kappa,  shear = |(B r'')'|
-    ///     across r'
+    ///     T_eff = F.r'/|r'| with F of R:46,  kappa = |r' x r''|/|r'|^3,  M = B kappa,
+    ///     shear = |(B r'')'| across r'
     ///
-    /// r'' runs straight between the points xi = 1/2 -+ 1/(2 sqrt 3) of the elements, where it is
-    /// most exact; at the ends it is continued from the last two. At the ends of the rod the
-    /// tension is that of the reaction. Where two sections meet, the stress is that of the side
-    /// which has the larger one.
+    /// Catenaries have T_eff = lambda |r'|, exact at their nodes. r'' runs straight between the
+    /// points xi = 1/2 -+ 1/(2 sqrt 3) of the elements, where it is most exact; at the ends it is
+    /// continued from the last two. At held ends the tension is that of the reaction. At a point
+    /// mass or a constraint the tension jumps: a node's is that of the side towards end B. Where it
+    /// jumps or two sections meet, the stress is that of the side which has the larger one.
     void recover(const RodPack<V>& rod, bool angles = true);
     /// Of node n from end A, as of the last `recover`.
     [[nodiscard]] const Recovered<V>& node(int n) const {
         return nodes_[nodes_.size() - 1 - static_cast<std::size_t>(n)];
     }
     [[nodiscard]] int nodes() const { return static_cast<int>(nodes_.size()); }
+    /// Least and greatest effective tension at node n from end A: they differ where it jumps [N].
+    [[nodiscard]] const std::array<V, 2>& tensions(int n) const {
+        return tensions_[tensions_.size() - 1 - static_cast<std::size_t>(n)];
+    }
 
     /// @param arc_length  from end A [m]
     [[nodiscard]] RodPlace place(const Case& input, const RodPack<V>& rod, int lane,
                                  double arc_length) const;
-    /// The same between nodes.
+    /// The same between nodes, in the state of the last `recover`. Of two sides the one towards
+    /// end B.
     [[nodiscard]] Recovered<Single> at(const RodPack<V>& rod, const RodPlace& place) const;
 
     /// Where the rod first comes nearer to the bed than its radius, on its own cubic between nodes:
@@ -67,6 +75,7 @@ class Recovery {
 
  private:
     struct Around;  ///< surroundings of a point, recovered.cpp
+    [[nodiscard]] Vector<Single> force_at(const RodPack<V>& rod, const RodPlace& place) const;
     [[nodiscard]] Vector<V> second_derivative(const RodPack<V>& rod, std::size_t element,
                                               double xi) const;
 
@@ -79,6 +88,9 @@ class Recovery {
     bool has_contents_ = false;
     std::vector<Vector<V>> bend_;  ///< r'' at the two points of each element [1/m]
     std::vector<Recovered<V>> nodes_;
+    std::vector<std::array<V, 2>> tensions_;
+    SectionForces<V> forces_;
+    bool has_forces_;  ///< catenaries have closed forms instead
 };
 
 }  // namespace hawser::worker

@@ -91,6 +91,9 @@ struct WoundLine {
     int elements = 0;      ///< of it, at end A; 0: no winch
 };
 
+template <class V>
+struct SectionForces;  // section_forces.hpp
+
 /// Work done, for tests and the benchmark.
 struct WorkCount {
     std::int64_t passes = 0, steps = 0, solves = 0, water_samples = 0;
@@ -203,6 +206,9 @@ class RodPack {
         return count;
     }
 
+    /// Force inside the rods in the working state from the balance of what acts on them, R:46.
+    void section_forces(SectionForces<V>& out) const;
+
     [[nodiscard]] const std::vector<int>& lines() const { return lines_; }
     /// Elements, counted from end B; arc lengths of the nodes from end B, ascending [m]; the bed.
     [[nodiscard]] const std::vector<ElementProperties<V>>& properties() const {
@@ -212,6 +218,10 @@ class RodPack {
         return arc_length_[static_cast<std::size_t>(lane)];
     }
     [[nodiscard]] const Bed& bed() const { return bed_; }
+    [[nodiscard]] LineModel model() const { return model_; }
+    /// Is an end held by a support?
+    [[nodiscard]] bool held_a() const { return place_a_.held(); }
+    [[nodiscard]] bool held_b() const { return place_b_.held(); }
     [[nodiscard]] int elements() const { return static_cast<int>(properties_.size()); }
     [[nodiscard]] const RodState<V>& kept() const { return kept_; }
     RodState<V>& kept() { return kept_; }
@@ -289,6 +299,9 @@ class RodPack {
     /// The corrections, and the reactions of the supports at the linear system's solution.
     void back_substitute();
     void update_trial(Mask iterating, V a0, V a1, V part, V limit, V& correction, V& finite);
+    /// Inertia of a point mass less the loads on it, and the Jacobian.
+    PointLoad<V> point_mass_load(const PointMass<V>& mass, const Vector<V>& r, const Vector<V>& v,
+                                 const Vector<V>& a, const Water<V>& water, V a0, V a1) const;
     void add_point_mass(const PointMass<V>& mass, V a0, V a1, V (&D)[7][7], V (&R)[7]) const;
     void add_slope_law(const SlopeLaw<V>& law, const TrialNode<V>& node, const Vector<V>& axis,
                        V (&D)[7][7], V (&R)[7], ConstraintLoad<V>& load, V on = V(1.0)) const;
@@ -361,8 +374,11 @@ class RodPack {
     void sample_slab(double T, std::size_t slab, const PlatformMotion& hull);
     template <class Where, class Needed>
     int gather_points(Where&& where, Needed&& needed);
-    void shelter_water(V t, const MotionSpline& platform, bool moves);
-    void interpolate_water(V t);
+    template <class Node>
+    void shelter_water(V t, const MotionSpline& platform, bool moves, const Node* nodes,
+                       std::vector<Water<V>>& to) const;
+    void interpolate_water(V t, std::vector<Water<V>>& to) const;
+    void water_of_state(SectionForces<V>& out) const;
     /// Current alone, where the trial values put the rods; sheltered water stands still.
     void current_only(bool current, V t, const MotionSpline& platform);
     void scatter_water(Water<V>* to);
@@ -417,7 +433,9 @@ class RodPack {
     PointLaw<V> spring_a_;
     std::vector<PlacedConstraint<V>> constraints_;
     int passes_since_keep_ = 0;
-    double pass_length_ = 0.0;  ///< of the pass that ended last [s]
+    double pass_length_ = 0.0;    ///< of the pass that ended last [s]
+    MotionSpline platform_;       ///< of the pass or static solution that ended last
+    double current_share_ = 0.0;  ///< of the current in it, where it was one at rest
     HullMotion<V> hull_;
     std::vector<TrialNode<V>> reached_;  ///< quasi-static: last good shape on the platform's way
     std::vector<V> reached_lambda_;

@@ -6,24 +6,32 @@
 namespace hawser::worker {
 
 template <class V>
+PointLoad<V> RodPack<V>::point_mass_load(const PointMass<V>& mass, const Vector<V>& r,
+                                         const Vector<V>& v, const Vector<V>& a,
+                                         const Water<V>& water, V a0, V a1) const {
+    const V W = immersion(water.eta, r.z, mass.height, V(0.0));
+    const V g(gravity_);
+    const Vector<V> vr = water.u - v;
+    const V speed = sqrt(dot(vr, vr) + V(1e-12));
+    const V drag = W * mass.drag * speed, added = W * mass.added;
+    PointLoad<V> load;
+    load.f = mass.mass * a + added * (a - water.ud) - (W * mass.displaced) * water.ud - drag * vr;
+    load.f.z += (mass.mass - W * mass.displaced) * g;
+    load.S = Symmetric<V>::scaled_identity(a0 * (mass.mass + added) + a1 * drag);
+    load.S.add_outer(a1 * W * mass.drag / speed, vr);
+    return load;
+}
+
+template <class V>
 void RodPack<V>::add_point_mass(const PointMass<V>& mass, V a0, V a1, V (&D)[7][7],
                                 V (&R)[7]) const {
     const auto n = static_cast<std::size_t>(mass.node);
     const TrialNode<V>& x = trial_[n];
     const Water<V>& water = water_[n == 0 ? 0 : n * gauss_points - 1];  // the nearest Gauss point
-    const V W = immersion(water.eta, x.r.z, mass.height, V(0.0));
-    const V g(gravity_);
-    const Vector<V> vr = water.u - x.v;
-    const V speed = sqrt(dot(vr, vr) + V(1e-12));
-    const V drag = W * mass.drag * speed, added = W * mass.added;
-    const Vector<V> f =
-        mass.mass * x.a + added * (x.a - water.ud) - (W * mass.displaced) * water.ud - drag * vr;
-    R[0] += f.x, R[1] += f.y;
-    R[2] += f.z + (mass.mass - W * mass.displaced) * g;
-    Symmetric<V> S = Symmetric<V>::scaled_identity(a0 * (mass.mass + added) + a1 * drag);
-    S.add_outer(a1 * W * mass.drag / speed, vr);
+    const PointLoad<V> load = point_mass_load(mass, x.r, x.v, x.a, water, a0, a1);
+    R[0] += load.f.x, R[1] += load.f.y, R[2] += load.f.z;
     for (int i = 0; i < 3; ++i)
-        for (int k = 0; k <= i; ++k) D[i][k] += S(i, k);
+        for (int k = 0; k <= i; ++k) D[i][k] += load.S(i, k);
 }
 
 namespace {
@@ -245,6 +253,9 @@ void RodPack<V>::update_trial(Mask iterating, V a0, V a1, V part, V limit, V& co
     }
 }
 
+template PointLoad<Single> RodPack<Single>::point_mass_load(
+    const PointMass<Single>&, const Vector<Single>&, const Vector<Single>&, const Vector<Single>&,
+    const Water<Single>&, Single, Single) const;
 template void RodPack<Single>::add_point_mass(const PointMass<Single>&, Single, Single,
                                               Single (&)[7][7], Single (&)[7]) const;
 template void RodPack<Single>::add_slope_law(const SlopeLaw<Single>&, const TrialNode<Single>&,
@@ -254,6 +265,9 @@ template void RodPack<Single>::reduce(Single, Single);
 template void RodPack<Single>::back_substitute();
 template void RodPack<Single>::update_trial(Single::Mask, Single, Single, Single, Single, Single&,
                                             Single&);
+template PointLoad<Quad> RodPack<Quad>::point_mass_load(const PointMass<Quad>&, const Vector<Quad>&,
+                                                        const Vector<Quad>&, const Vector<Quad>&,
+                                                        const Water<Quad>&, Quad, Quad) const;
 template void RodPack<Quad>::add_point_mass(const PointMass<Quad>&, Quad, Quad, Quad (&)[7][7],
                                             Quad (&)[7]) const;
 template void RodPack<Quad>::add_slope_law(const SlopeLaw<Quad>&, const TrialNode<Quad>&,

@@ -151,6 +151,7 @@ void RodPack<V>::accept(Mask accepted, V h, V t_new) {
 template <class V>
 void RodPack<V>::begin_pass(double t0, double t1, const MotionSpline& platform, V h) {
     static_ = false;
+    platform_ = platform;
     const double sampled = LaneTraits<V>::get(kept_.head().wave_index, 0);
     if (sampled < 0.0 || (sampled + 1e-9) * wave_step_ < t0 + platform_step_)
         refresh_water(t0 + platform_step_, platform.at(t0).motion);
@@ -174,7 +175,7 @@ void RodPack<V>::begin_step(Mask active, V h, V t_new, const MotionSpline& platf
     if (winds_) pay_out(t_new);
     if (parts_) part(t_new);
     prepare_material(working_, h);
-    interpolate_water(t_new);
+    interpolate_water(t_new, water_);
     predict(working_, h);
     end_a_ = end_values(place_a_, working_.head().axis_a, t_new, platform);
     end_b_ = end_values(place_b_, working_.head().axis_b, t_new, platform);
@@ -185,7 +186,7 @@ void RodPack<V>::begin_step(Mask active, V h, V t_new, const MotionSpline& platf
     };
     if (place_a_.prescribed()) put(released_, trial_.back(), end_a_);
     if (place_b_.prescribed()) put(LaneTraits<V>::none(), trial_.front(), end_b_);
-    if (shelters_) shelter_water(t_new, platform, true);
+    if (shelters_) shelter_water(t_new, platform, true, trial_.data(), water_);
     if (!curves_.empty()) (void)follow_curves(active, &working_, h);
     friction_on_ = true;
     const RodHead<V>& head = working_.head();

@@ -6,6 +6,7 @@
 
 #include "rod/lane_access.hpp"
 #include "rod/rod_pack.hpp"
+#include "rod/section_forces.hpp"
 
 namespace hawser::worker {
 
@@ -122,7 +123,9 @@ void RodPack<V>::scatter_water(Water<V>* to) {
 }
 
 template <class V>
-void RodPack<V>::shelter_water(V t, const MotionSpline& platform, bool moves) {
+template <class Node>
+void RodPack<V>::shelter_water(V t, const MotionSpline& platform, bool moves, const Node* nodes,
+                               std::vector<Water<V>>& to) const {
     // Where a point lies above `sheltered_above` on the platform the water is the platform's: its
     // velocity and acceleration there (K:5), no wave, no current, calm surface. The section a point
     // stands for crosses the border gradually, like the free surface in R:18.
@@ -143,11 +146,11 @@ void RodPack<V>::shelter_water(V t, const MotionSpline& platform, bool moves) {
     for (std::size_t e = 0; e < properties_.size(); ++e) {
         const V L = properties_[e].L;
         for (std::size_t g = 0; g < gauss_points; ++g) {
-            const Vector<V> l = point_of(trial_[e], trial_[e + 1], L, g) - origin;
+            const Vector<V> l = point_of(nodes[e], nodes[e + 1], L, g) - origin;
             const V piece = properties_[e].D + V(gauss_weight[g]) * L;
             const V in = min(max(V(0.5) + (dot(l, up) - sheltered_above_) / piece, V(0.0)), V(1.0));
             if (!any(in > V(0.0))) continue;
-            Water<V>& w = water_[e * gauss_points + g];
+            Water<V>& w = to[e * gauss_points + g];
             w.u += in * (velocity + cross(spin, l) - w.u);
             w.ud += in * (acceleration + cross(spin_rate, l) + cross(spin, cross(spin, l)) - w.ud);
             w.eta -= in * w.eta;
@@ -156,9 +159,9 @@ void RodPack<V>::shelter_water(V t, const MotionSpline& platform, bool moves) {
 }
 
 template <class V>
-void RodPack<V>::interpolate_water(V t) {
+void RodPack<V>::interpolate_water(V t, std::vector<Water<V>>& to) const {
     if (!sea_->has_waves() && !sea_->has_current()) {
-        std::fill(water_.begin(), water_.end(), Water<V>{});
+        std::fill(to.begin(), to.end(), Water<V>{});
         return;
     }
     using Lane = LaneTraits<V>;
@@ -183,7 +186,7 @@ void RodPack<V>::interpolate_water(V t) {
     if (together) {
         const Water<V>* left = working_.water(static_cast<std::size_t>(j[0] % slabs));
         const Water<V>* right = working_.water(static_cast<std::size_t>((j[0] + 1) % slabs));
-        for (std::size_t p = 0; p < water_.size(); ++p) water_[p] = blend(left[p], right[p]);
+        for (std::size_t p = 0; p < to.size(); ++p) to[p] = blend(left[p], right[p]);
         return;
     }
     for (int i = 0; i < lanes; ++i) {  // lanes in different intervals: blend for each, take its own
@@ -192,18 +195,20 @@ void RodPack<V>::interpolate_water(V t) {
         const Water<V>* right = working_.water(static_cast<std::size_t>((k + 1) % slabs));
         auto mine = Lane::none();
         Lane::set(mine, i, true);
-        for (std::size_t p = 0; p < water_.size(); ++p) {
+        for (std::size_t p = 0; p < to.size(); ++p) {
             const Water<V> w = blend(left[p], right[p]);
-            water_[p].u = select(mine, w.u, water_[p].u);
-            water_[p].ud = select(mine, w.ud, water_[p].ud);
-            water_[p].eta = select(mine, w.eta, water_[p].eta);
+            to[p].u = select(mine, w.u, to[p].u);
+            to[p].ud = select(mine, w.ud, to[p].ud);
+            to[p].eta = select(mine, w.eta, to[p].eta);
         }
     }
 }
 
 template <class V>
 void RodPack<V>::current_only(bool current, V t, const MotionSpline& platform) {
-    if (!current || !sea_->has_current()) {
+    platform_ = platform;
+    current_share_ = current && sea_->has_current() ? 1.0 : 0.0;
+    if (current_share_ == 0.0) {
         std::fill(water_.begin(), water_.end(), Water<V>{});
         return;
     }
@@ -221,16 +226,59 @@ void RodPack<V>::current_only(bool current, V t, const MotionSpline& platform) {
                               .eta = eta_.data()};
     sea_->sample_current(n, xs_.data(), ys_.data(), zs_.data(), out);
     scatter_water(water_.data());
-    if (shelters_) shelter_water(t, platform, false);
+    if (shelters_) shelter_water(t, platform, false, trial_.data(), water_);
+}
+
+template <class V>
+void RodPack<V>::water_of_state(SectionForces<V>& out) const {
+    // Not what the last step left in its workspace: that of a lane which was done before its
+    // neighbours belongs to where it was predicted to go.
+    const NodeState<V>* node = working_.nodes();
+    const V t = working_.head().t;
+    std::vector<Water<V>>& to = out.water;
+    if (!static_) {
+        interpolate_water(t, to);
+        if (shelters_) shelter_water(t, platform_, true, node, to);
+        return;
+    }
+    std::fill(to.begin(), to.end(), Water<V>{});
+    if (current_share_ == 0.0) return;
+    const V share(current_share_);
+    for (int i = 0; i < lanes; ++i) {
+        std::array<double, gauss_points> x{}, y{}, z{}, ux{}, uy{}, uz{}, ax{}, ay{}, az{}, eta{};
+        const WaterKinematics kinematics{.ux = ux.data(),
+                                         .uy = uy.data(),
+                                         .uz = uz.data(),
+                                         .ax = ax.data(),
+                                         .ay = ay.data(),
+                                         .az = az.data(),
+                                         .eta = eta.data()};
+        for (std::size_t e = 0; e < properties_.size(); ++e) {
+            for (std::size_t g = 0; g < gauss_points; ++g) {
+                const Vec3 r = lane_vector(point_of(node[e], node[e + 1], properties_[e].L, g), i);
+                x[g] = r.x(), y[g] = r.y(), z[g] = r.z();
+            }
+            sea_->sample_current(gauss_points, x.data(), y.data(), z.data(), kinematics);
+            for (std::size_t g = 0; g < gauss_points; ++g)
+                set_lane_vector(to[e * gauss_points + g].u, i, Vec3(ux[g], uy[g], uz[g]));
+        }
+    }
+    if (shelters_) shelter_water(t, platform_, false, node, to);
+    for (Water<V>& w : to) w.u = share * w.u;
 }
 
 template void RodPack<Single>::refresh_water(double, const PlatformMotion&);
-template void RodPack<Single>::interpolate_water(Single);
-template void RodPack<Single>::shelter_water(Single, const MotionSpline&, bool);
+template void RodPack<Single>::interpolate_water(Single, std::vector<Water<Single>>&) const;
+template void RodPack<Single>::shelter_water(Single, const MotionSpline&, bool,
+                                             const TrialNode<Single>*,
+                                             std::vector<Water<Single>>&) const;
+template void RodPack<Single>::water_of_state(SectionForces<Single>&) const;
 template void RodPack<Single>::current_only(bool, Single, const MotionSpline&);
 template void RodPack<Quad>::refresh_water(double, const PlatformMotion&);
-template void RodPack<Quad>::interpolate_water(Quad);
-template void RodPack<Quad>::shelter_water(Quad, const MotionSpline&, bool);
+template void RodPack<Quad>::interpolate_water(Quad, std::vector<Water<Quad>>&) const;
+template void RodPack<Quad>::shelter_water(Quad, const MotionSpline&, bool, const TrialNode<Quad>*,
+                                           std::vector<Water<Quad>>&) const;
+template void RodPack<Quad>::water_of_state(SectionForces<Quad>&) const;
 template void RodPack<Quad>::current_only(bool, Quad, const MotionSpline&);
 
 }  // namespace hawser::worker

@@ -23,6 +23,13 @@ double LedgerTable::residual_fraction(int motion) const {
     return scale > 0.0 ? std::abs(residual[motion]) / scale : 0.0;
 }
 
+bool LedgerTable::is_loaded(int motion) const {
+    const int first = motion < 3 ? 0 : 3;
+    double greatest = 0.0;
+    for (int k = first; k < first + 3; ++k) greatest = std::max(greatest, largest(k));
+    return largest(motion) > 1e-6 * greatest;
+}
+
 Ledger::Ledger(std::vector<std::string> components)
     : components_(std::move(components)),
       integral_(components_.size(), Vec6::Zero()),

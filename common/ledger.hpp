@@ -23,7 +23,12 @@ struct LedgerTable {
     [[nodiscard]] double largest(int motion) const;
     /// |residual| over the largest component; 0 where nothing acts.
     [[nodiscard]] double residual_fraction(int motion) const;
+    /// Does anything act in a motion? Loads of a millionth of those in the other forces (moments)
+    /// are rounding.
+    [[nodiscard]] bool is_loaded(int motion) const;
 };
+/// A residual_fraction that a reader should know of.
+inline constexpr double large_residual = 0.005;
 
 /// Accumulates a ledger over the platform's steps. Components are averaged with trapezoid weights.
 /// The momentum side needs no acceleration: with p the linear momentum and L the angular momentum

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "line_weight.hpp"
+
 namespace hawser::master {
 
 namespace {
@@ -23,21 +25,6 @@ double bed_height(const Seabed& bed, const Vec3& at) {
     const double along =
         at.x() * std::cos(bed.slope_direction) + at.y() * std::sin(bed.slope_direction);
     return -bed.depth + std::tan(bed.slope_angle) * along;
-}
-
-/// Weight in water of the part below an arc length [N].
-double weight_below(const Line& line, const Case& input, double arc_length) {
-    const Water& water = input.environment.water;
-    double mass = 0.0, s = 0.0;
-    for (const Section& section : line.sections) {
-        const LineType& type = type_of(section, input);
-        const double length = std::clamp(s + section.length - arc_length, 0.0, section.length);
-        mass += length * (type.mass - water.density * type.displaced_area);
-        s += section.length;
-    }
-    for (const Attachment& a : line.attachments)
-        if (a.arc_length >= arc_length) mass += a.mass - water.density * a.volume;
-    return mass * water.gravity;
 }
 
 double static_stiffness(const LineType& type) {
@@ -71,7 +58,7 @@ std::optional<std::string> unreasonable_stiffness(const Line& line, const Case& 
 std::optional<std::string> weak_tensioner(const Line& line, const Case& input) {
     for (const LineConstraint& c : line.constraints) {
         if (c.type != ConstraintType::tensioner) continue;
-        const double weight = weight_below(line, input, c.arc_length.value_or(0.0));
+        const double weight = submerged_weight(line, input, c.arc_length.value_or(0.0));
         if (c.nominal_tension <= weight)
             return fmt::format(
                 "{} pulls with {:.4g} kN at stroke 0, the riser below it weighs {:.4g} kN in "
@@ -83,7 +70,7 @@ std::optional<std::string> weak_tensioner(const Line& line, const Case& input) {
 
 std::optional<std::string> floating_part(const Line& line, const Case& input) {
     const Water& water = input.environment.water;
-    const double total = weight_below(line, input, 0.0);
+    const double total = submerged_weight(line, input, 0.0);
     if (total <= 0.0) return fmt::format("it is lighter than water: {:.4g} kN in all", total / 1e3);
     for (const Section& section : line.sections) {
         const LineType& type = type_of(section, input);

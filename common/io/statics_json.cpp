@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "io/statics_text.hpp"
-#include "io/summary.hpp"
+#include "line_weight.hpp"
 #include "motion_names.hpp"
 
 namespace hawser::io {

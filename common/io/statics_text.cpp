@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "io/summary.hpp"
+#include "line_weight.hpp"
 #include "io/text_table.hpp"
 #include "motion_names.hpp"
 

@@ -9,6 +9,8 @@
 
 #include "io/files.hpp"
 #include "io/result_fields.hpp"
+#include "line_weight.hpp"
+#include "motion_names.hpp"
 
 namespace hawser::io {
 namespace {
@@ -50,8 +52,9 @@ std::string environment_text(const Case& input) {
         } else {
             out +=
                 fmt::format("{}: Hs {:g} m, Tp {:g} s, towards {:g} deg, {} components, seed {}\n",
-                            w.type == WaveType::jonswap ? "JONSWAP" : "Pierson-Moskowitz", w.Hs,
-                            w.Tp, degrees * w.heading, w.components, w.seed);
+                            w.type == WaveType::jonswap ? fmt::format("JONSWAP {:.3g}", w.gamma)
+                                                        : "Pierson-Moskowitz",
+                            w.Hs, w.Tp, degrees * w.heading, w.components, w.seed);
         }
     }
     if (e.waves.empty()) out += "still water\n";
@@ -60,7 +63,7 @@ std::string environment_text(const Case& input) {
                            e.current->profile.front().speed, degrees * e.current->heading);
     }
     if (e.wind) {
-        out += fmt::format("wind: {:g} m/s at {:g} m ({:g} s mean), towards {:g} deg, {}\n",
+        out += fmt::format("wind: {:.4g} m/s at {:g} m ({:g} s mean), towards {:g} deg, {}\n",
                            e.wind->speed, e.wind->reference_height, e.wind->averaging,
                            degrees * e.wind->heading,
                            e.wind->spectrum == WindSpectrum::npd ? "NPD gusts" : "constant");
@@ -118,7 +121,17 @@ std::string lines_text(const RunRecord& record, const ResultDigest& digest) {
                            cell(s.end_a_declination, 9, 2), cell(s.end_b_declination, 9, 2),
                            cell(s.grounded, 10, 1), cell(s.touchdown, 10, 1));
     }
-    for (const Adjustment& a : record.adjustments) out += note_of(a, input) + "\n";
+    std::string before;  // lines of one family as a rule say the same
+    for (const Adjustment& a : record.adjustments) {
+        const std::string& line = input.lines[static_cast<std::size_t>(a.line)].name;
+        const std::string note = note_of(a, input).substr(line.size());
+        if (note == before) {
+            out.insert(out.size() - note.size() - 1, ", " + line);
+        } else {
+            out += line + note + "\n";
+        }
+        before = note;
+    }
     out +=
         "angle: from vertical down, of the line as it leaves end A and as it arrives at end B; "
         "touches: arc length from end A\n";
@@ -171,7 +184,7 @@ std::string courses_text(const RunRecord& record, const ResultDigest& digest) {
     const auto worst =
         std::max_element(digest.mismatch.begin(), digest.mismatch.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (worst != digest.mismatch.end() && std::isfinite(worst->second))
+    if (record.impulses.empty() && worst != digest.mismatch.end() && std::isfinite(worst->second))
         out += fmt::format(
             "impulse mismatch between line and platform at constraints: {:.2g} %, at "
             "{}{}\n",
@@ -222,7 +235,7 @@ std::string statistics_text(const RunRecord& record, const ResultDigest& digest)
     return out;
 }
 
-std::string ledger_text(const LedgerTable& ledger) {
+std::string ledger_text(const LedgerTable& ledger, double step) {
     std::string out =
         heading(fmt::format("Load ledger: means from {:g} s to {:g} s", ledger.from, ledger.to));
     const std::size_t width = widest(19, ledger.components);
@@ -241,11 +254,23 @@ std::string ledger_text(const LedgerTable& ledger) {
     row("mass x acceleration", ledger.momentum);
     row("residual", ledger.residual);
     out += fmt::format("{:<{}}", "residual, % of largest", width);
+    std::string large;
     for (int k = 0; k < 6; ++k) {
-        out += fmt::format(" {}", cell(100.0 * ledger.residual_fraction(k), k < 3 ? 12 : 14, 3));
+        const double percent = ledger.is_loaded(k) ? 100.0 * ledger.residual_fraction(k) : NAN;
+        out += fmt::format(" {}", cell(percent, k < 3 ? 12 : 14, 3));
+        if (percent > 100.0 * large_residual)
+            large += fmt::format("{}{} {:.2g} %", large.empty() ? "" : ", ",
+                                 motion_names[static_cast<std::size_t>(k)], percent);
     }
     out +=
-        "\nweight and hydrostatic count as one component; moments are about the reference point\n";
+        "\nweight and hydrostatic count as one component; moments are about the reference point; "
+        "-: nothing acts\n";
+    if (!large.empty())
+        out += fmt::format(
+            "! residual above {:g} %: {}. The means are taken from the loads at the platform's "
+            "steps:\n  loads that swing fast, or by much more than they are in the mean, want a "
+            "shorter one than {:g} s\n  (try half of it) or a longer time to be counted\n",
+            100.0 * large_residual, large, step);
     return out;
 }
 
@@ -300,17 +325,6 @@ std::string limits_text(const Case& input) {
 
 }  // namespace
 
-double submerged_weight(const Line& line, const Case& input) {
-    const Water& water = input.environment.water;
-    double mass = 0.0;
-    for (const Section& section : line.sections) {
-        const LineType& type = input.line_types[static_cast<std::size_t>(section.type)];
-        mass += section.length * (type.mass - water.density * type.displaced_area);
-    }
-    for (const Attachment& a : line.attachments) mass += a.mass - water.density * a.volume;
-    return mass * water.gravity;
-}
-
 std::string summary_text(const RunRecord& record, const ResultDigest& digest) {
     const Case& input = record.input;
     std::string out = input.title.empty() ? input.name : input.title;
@@ -329,7 +343,7 @@ std::string summary_text(const RunRecord& record, const ResultDigest& digest) {
     out += lines_text(record, digest);
     out += courses_text(record, digest);
     out += statistics_text(record, digest);
-    if (record.ledger) out += ledger_text(*record.ledger);
+    if (record.ledger) out += ledger_text(*record.ledger, d.platform_step);
     out += impulses_text(record.impulses);
     out += performance_text(record);
     out += limits_text(input);

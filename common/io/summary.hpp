@@ -19,7 +19,4 @@ std::string statistics_csv(const std::vector<ChannelStatistics>& statistics);
 void write_summary(const std::filesystem::path& folder, const RunRecord& record,
                    const ResultDigest& digest);
 
-/// Weight of a line in water, whole length [N].
-double submerged_weight(const Line& line, const Case& input);
-
 }  // namespace hawser::io

@@ -14,6 +14,7 @@
 #include "io/result_file.hpp"
 #include "io/series_file.hpp"
 #include "io/summary.hpp"
+#include "line_weight.hpp"
 #include "synthetic_run.hpp"
 
 namespace {
@@ -190,6 +191,25 @@ TEST(Summary, TellsTheWeightOfALineInWater) {
     const Line& line = input.lines[0];
     // (100 kg/m - 1025 kg/m3 x 0.013 m2) x 60 m x g
     EXPECT_NEAR(submerged_weight(line, input), (100.0 - 13.325) * 60.0 * 9.80665, 1e-6);
+}
+
+TEST(LineWeight, OfATaperIsItsIntegralAndOfAPartOnlyWhatHangsBelow) {
+    // 10 m plain of w, 10 m that grow to 4 w, a clump at their joint: from the middle of the taper
+    // down 5 m of (2.5 w + 4 w)/2.
+    Case input = test::synthetic_chain(10.0);
+    LineType heavy = input.line_types[0];
+    heavy.mass *= 4, heavy.displaced_area *= 4;
+    input.line_types.push_back(heavy);
+    Line& line = input.lines[0];
+    const int last = static_cast<int>(input.line_types.size()) - 1;
+    line.sections = {{.type = 0, .length = 10, .elements = 1},
+                     {.type = 0, .length = 10, .elements = 3, .type_at_end = last}};
+    line.attachments = {{.arc_length = 10, .mass = 50}};
+    const double w = (100.0 - 13.325) * 9.80665;
+    EXPECT_NEAR(submerged_weight(line, input), 10 * w + 25 * w + 50 * 9.80665, 1e-6);
+    EXPECT_NEAR(submerged_weight(line, input, 10.0), 25 * w + 50 * 9.80665, 1e-6);
+    EXPECT_NEAR(submerged_weight(line, input, 15.0), 5 * 3.25 * w, 1e-6);
+    EXPECT_NEAR(submerged_weight(line, input, 20.0), 0.0, 1e-6);
 }
 
 TEST(Summary, WritesOneRowPerChannelThatReadsBackExactly) {

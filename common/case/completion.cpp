@@ -260,6 +260,12 @@ class Completion {
         Output& out = case_.output;
         if (!given("output.interval")) out.interval = d.platform_step;
         if (!given("output.lines") && !case_.lines.empty()) out.lines = {LineOutput{}};
+        for (std::size_t i = 0; i < out.lines.size(); ++i) {  // a range alone asks for no end
+            const std::string path = fmt::format("output.lines[{}]", i);
+            if (given(path + ".range") && !given(path + ".at") && !given(path + ".at_arc") &&
+                !given(path + ".results"))
+                out.lines[i].results.clear();
+        }
     }
 
     DeclaredCase& case_;

@@ -18,7 +18,6 @@ namespace hawser {
 struct Material {
     std::string name;
     double E = 0.0, density = 0.0;  ///< [Pa], [kg/m3]
-    double poisson = 0.3;
     std::optional<double> yield;  ///< [Pa]
 };
 
@@ -53,7 +52,6 @@ struct LineTypeKeys {
     double added_mass_normal = 1.0, added_mass_axial = 0.0;
     Curve EA_curve, EI_curve;
     std::optional<double> breaking_load, yield;
-    double poisson = 0.3;                                ///< of the material
     double concentration = 1.0, thickness_factor = 1.0;  ///< of stresses, `stress`
     std::optional<TaperKeys> taper;
 };

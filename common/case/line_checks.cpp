@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "line_mesh.hpp"
+#include "line_weight.hpp"
 #include "packing.hpp"
 
 namespace hawser {
@@ -30,7 +32,9 @@ class LineChecks {
         needs();
         response();
         parts();
-        ties();
+#include "packing.hpp"
+#include "line_mesh.hpp"
+#include "line_weight.hpp"
     }
 
  private:
@@ -71,13 +75,6 @@ class LineChecks {
         return s.type_at_end < 0 ? from : 0.5 * (from + quantity(type(s.type_at_end)));
     }
 
-    double submerged_weight() const {
-        double sum = 0.0;
-        for (const Section& s : line_.sections) {
-            sum += s.length * mean(s, [this](const LineType& t) { return wet(t); });
-        }
-        return sum;
-    }
     double wet(const LineType& t) const {
         const Water& water = case_.environment.water;
         return (t.mass - water.density * t.displaced_area) * water.gravity;
@@ -183,7 +180,8 @@ class LineChecks {
         }
         double travel = 0.0;
         for (const Section& s : line_.sections) {
-            travel += s.length * std::sqrt(type(s.type).mass / type(s.type).EA);
+            travel +=
+                s.length * mean(s, [](const LineType& t) { return std::sqrt(t.mass / t.EA); });
         }
         const double period = 2.0 * travel, D = case_.analysis.dynamics.platform_step;
         if (line_.end_a.kind == EndKind::platform && held && period < D) {
@@ -266,7 +264,7 @@ class LineChecks {
             if (tensioner == nullptr) tensioner = &c;
         }
         if (tensioner == nullptr || !stands(line_.end_b)) return;
-        const double weight = submerged_weight();
+        const double weight = submerged_weight(line_, case_, tensioner->arc_length.value_or(0.0));
         if (pull < 1.1 * weight) {
             warning(key_of(*tensioner),
                     fmt::format("tensioners pull with {:.0f} kN, less than 1.1 times the submerged "
@@ -410,6 +408,68 @@ class LineChecks {
             error(winch_key(),
                   fmt::format("the winch takes in {:.6g} m, all of section 1", -least));
         }
+    }
+
+    double bending_stiffness(const LineMesh& mesh, std::size_t e) const {
+        const auto in = static_cast<std::size_t>(mesh.section[e]);
+        const Section& s = line_.sections[in];
+        const double from = type(s.type).EI;
+        if (s.type_at_end < 0) return from;
+        double start = 0.0;
+        for (std::size_t i = 0; i < in; ++i) start += line_.sections[i].length;
+        const double middle = 0.5 * (mesh.arc_length[e] + mesh.arc_length[e + 1]);
+        return from + (middle - start) / s.length * (type(s.type_at_end).EI - from);
+    }
+
+    /// Tension to be expected at an arc length: what the tensioners or the pretension leave of the
+    /// weight above, or else the weight below; never less than a fifth of the line's weight.
+    double expected_tension(double arc_length) const {
+        const double weight = std::abs(submerged_weight(line_, case_));
+        const double below = submerged_weight(line_, case_, arc_length);
+        double top = line_.target.pretension.value_or(0.0);
+        for (const LineConstraint& c : line_.constraints)
+            if (c.type == ConstraintType::tensioner) top += c.nominal_tension;
+        const double T = top > 0.0 ? top - (submerged_weight(line_, case_) - below) : below;
+        return std::max({T, 0.2 * weight, 1.0});
+    }
+
+    /// Elements too coarse beside short ones, or beside a jump of bending stiffness: of a line that
+    /// bends the worst place.
+    void mesh() {
+        constexpr double most_ratio = 3.0, most_bending_lengths = 3.0, jump = 1.5;
+        const LineMesh mesh = mesh_of(line_);
+        double worst = 1.0, suggested = 0.0, bending_length = 0.0;
+        std::size_t at = 0, beside = 0;
+        const auto length = [&](std::size_t e) {
+            return mesh.arc_length[e + 1] - mesh.arc_length[e];
+        };
+        for (std::size_t e = 0; e < mesh.section.size(); ++e) {
+            for (const std::size_t other : {e - 1, e + 1}) {  // e - 1 wraps: beyond the end too
+                if (other >= mesh.section.size()) continue;
+                const double EI = bending_stiffness(mesh, e), its = bending_stiffness(mesh, other);
+                if (EI <= 0.0 || its <= 0.0) continue;
+                const double h = length(e), short_one = length(other);
+                const double node = mesh.arc_length[std::max(e, other)];
+                const double scale = std::sqrt(EI / expected_tension(node));
+                const bool jumps = std::max(EI, its) > jump * std::min(EI, its);
+                const double by_ratio = h / short_one / most_ratio;
+                const double by_jump = jumps ? h / scale / most_bending_lengths : 0.0;
+                if (std::max(by_ratio, by_jump) <= worst * (1.0 + 1e-9)) continue;
+                worst = std::max(by_ratio, by_jump);
+                at = e, beside = other, bending_length = scale;
+                suggested = h;
+                if (by_ratio > 1.0) suggested = std::min(suggested, most_ratio * short_one);
+                if (by_jump > 1.0) suggested = std::min(suggested, most_bending_lengths * scale);
+            }
+        }
+        if (worst <= 1.0) return;
+        const auto section = static_cast<std::size_t>(mesh.section[at]);
+        warning(fmt::format(".sections[{}]", section),
+                fmt::format("at {:.4g} m, elements of {:.3g} m follow on {:.3g} m, where the line "
+                            "bends over lengths of {:.2g} m: curvature and stress there are rough; "
+                            "{:.2g} m or shorter next to it (\"growth\", or a section of its own)",
+                            mesh.arc_length[std::max(at, beside)], length(at), length(beside),
+                            bending_length, suggested));
     }
 
     const Line& line_;

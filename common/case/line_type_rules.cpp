@@ -65,7 +65,6 @@ void complete_pipe(LineTypeKeys& type, const Material* material, const Rules& ru
     if (!type.volume_diameter) type.volume_diameter = coated;
     if (!type.viscoelastic && !type.EA && type.EA_curve.empty()) type.EA = E * steel;
     if (!type.yield && material != nullptr) type.yield = material->yield;
-    if (material != nullptr) type.poisson = material->poisson;
     if (!type.EI) type.EI = E * pi / 64.0 * (std::pow(outer, 4) - std::pow(inner, 4));
 }
 
@@ -217,7 +216,6 @@ LineType line_type(const LineTypeKeys& type) {
                               .contents_density = type.contents_density,
                               .concentration = type.concentration,
                               .thickness_factor = type.thickness_factor,
-                              .poisson = type.poisson,
                               .yield = type.yield};
     }
     if (type.category == "chain") value.section_area = 2.0 * disc(outer);

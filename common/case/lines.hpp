@@ -35,7 +35,6 @@ struct PipeWall {
     double contents_density = 0.0;                      ///< [kg/m3], for the pressure inside
     double concentration = 1.0;                         ///< factor on bending and axial stress
     double thickness_factor = 1.0;  ///< of the wall left for stresses (corrosion)
-    double poisson = 0.3;
     std::optional<double> yield = {};  ///< [Pa]
 
     bool operator==(const PipeWall&) const = default;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <ctime>
 
 #include "io/result_parts.hpp"
@@ -16,6 +17,11 @@ void write_geometry(Hdf5File& file, const Case& input) {
     const std::string root = "/input/geometry/";
     write_numbers(file, root + "seabed_depth", {&input.environment.seabed.depth, 1}, {}, "m",
                   "Still-water depth at the origin");
+    const double slope = input.environment.seabed.slope_angle * 180.0 / M_PI;
+    const double towards = input.environment.seabed.slope_direction * 180.0 / M_PI;
+    write_numbers(file, root + "seabed_slope", {&slope, 1}, {}, "deg", "Slope of the seabed");
+    write_numbers(file, root + "seabed_rises_towards", {&towards, 1}, {}, "deg",
+                  "Heading in which the seabed rises");
     if (!input.platform) return;
     std::vector<double> ends, diameters, plates, areas;
     for (const Member& m : input.platform->members) {

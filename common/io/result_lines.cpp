@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "io/result_fields.hpp"
@@ -7,6 +8,31 @@
 #include "line_mesh.hpp"
 
 namespace hawser::io {
+namespace {
+
+/// Of a quantity of line types that need not be given: the lesser one beside each node.
+template <class Get>
+std::vector<double> least_beside_nodes(const Case& input, Get&& get) {
+    std::vector<double> values;
+    for (const Line& line : input.lines) {
+        const LineMesh mesh = mesh_of(line);
+        const auto of = [&](int element) {
+            const Section& section = line.sections[static_cast<std::size_t>(
+                mesh.section[static_cast<std::size_t>(element)])];
+            const double first = get(input.line_types[static_cast<std::size_t>(section.type)]);
+            if (section.type_at_end < 0) return first;
+            return std::fmin(first,
+                             get(input.line_types[static_cast<std::size_t>(section.type_at_end)]));
+        };
+        const int N = mesh.elements();
+        for (int n = 0; n <= N; ++n)  // NaN: not given
+            values.push_back(std::fmin(of(std::max(n - 1, 0)), of(std::min(n, N - 1))));
+    }
+    return values;
+}
+
+}  // namespace
+
 void write_lines(Hdf5File& file, const Case& input) {
     std::vector<std::string> names, families;
     std::vector<std::int64_t> first{0};
@@ -26,6 +52,16 @@ void write_lines(Hdf5File& file, const Case& input) {
     describe(file, "/lines/nodes/first", "", "Line i has the nodes first[i] to first[i + 1] - 1");
     write_numbers(file, "/lines/nodes/arc_length", arc_length, {arc_length.size()}, "m",
                   "Unstretched arc length of the nodes from end A");
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<double> breaking = least_beside_nodes(
+        input, [nan](const LineType& type) { return type.breaking_load.value_or(nan); });
+    write_numbers(file, "/lines/nodes/breaking_load", breaking, {breaking.size()}, "N",
+                  "Breaking load of the section at each node, the lesser one where two meet");
+    const std::vector<double> yield = least_beside_nodes(input, [nan](const LineType& type) {
+        return type.wall ? type.wall->yield.value_or(nan) : nan;
+    });
+    write_numbers(file, "/lines/nodes/yield", yield, {yield.size()}, "Pa",
+                  "Yield stress of the section at each node, the lesser one where two meet");
 }
 
 void write_line_views(Hdf5File& file, const Case& input, const std::vector<SeriesField>& fields) {

@@ -40,7 +40,7 @@ LineType line_type_at(const Case& input, const Section& section, double fraction
     if (type.wall && end.wall) {
         for (double PipeWall::*const member :
              {&PipeWall::outer_diameter, &PipeWall::inner_diameter, &PipeWall::contents_density,
-              &PipeWall::concentration, &PipeWall::thickness_factor, &PipeWall::poisson})
+              &PipeWall::concentration, &PipeWall::thickness_factor})
             run((*type.wall).*member, (*end.wall).*member);
         run_optional(type.wall->yield, end.wall->yield);
     }

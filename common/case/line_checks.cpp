@@ -433,8 +433,8 @@ class LineChecks {
         return std::max({T, 0.2 * weight, 1.0});
     }
 
-    /// Elements too coarse beside short ones, or beside a jump of bending stiffness: of a line that
-    /// bends the worst place.
+    /// Elements too coarse for how the line bends: beside short ones, or beside a jump of bending
+    /// stiffness. Of each line the worst place.
     void mesh() {
         constexpr double most_ratio = 3.0, most_bending_lengths = 3.0, jump = 1.5;
         const LineMesh mesh = mesh_of(line_);
@@ -452,7 +452,7 @@ class LineChecks {
                 const double node = mesh.arc_length[std::max(e, other)];
                 const double scale = std::sqrt(EI / expected_tension(node));
                 const bool jumps = std::max(EI, its) > jump * std::min(EI, its);
-                const double by_ratio = h / short_one / most_ratio;
+                const double by_ratio = h > 2.0 * scale ? h / short_one / most_ratio : 0.0;
                 const double by_jump = jumps ? h / scale / most_bending_lengths : 0.0;
                 if (std::max(by_ratio, by_jump) <= worst * (1.0 + 1e-9)) continue;
                 worst = std::max(by_ratio, by_jump);

@@ -57,7 +57,8 @@ const Table& line_output_keys() {
         places.at_least(0).eg("[1500 m, 1650 m]");
         chosen_words(k, "results", &LineOutput::results, result_words(),
                      "What is recorded at the ends and places; of constraints; of the touchdown")
-            .follows("[effective_tension]; nothing where an entry has a range alone");
+            .follows("[effective_tension]; nothing where an entry has a range alone")
+            .eg("[effective_tension, declination]");
         chosen_words(k, "range", &LineOutput::range, quantity_words(),
                      "Quantities of which least, mean, greatest value and standard deviation along "
                      "the line are kept")

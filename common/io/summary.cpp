@@ -50,11 +50,12 @@ std::string environment_text(const Case& input) {
             out += fmt::format("regular wave: H {:g} m, T {:g} s, towards {:g} deg\n", w.H, w.T,
                                degrees * w.heading);
         } else {
+            std::string type = w.type == WaveType::jonswap ? "JONSWAP" : "Pierson-Moskowitz";
+            if (w.type == WaveType::jonswap && w.gamma)
+                type += fmt::format(" (gamma {:.3g})", *w.gamma);
             out +=
                 fmt::format("{}: Hs {:g} m, Tp {:g} s, towards {:g} deg, {} components, seed {}\n",
-                            w.type == WaveType::jonswap ? fmt::format("JONSWAP {:.3g}", w.gamma)
-                                                        : "Pierson-Moskowitz",
-                            w.Hs, w.Tp, degrees * w.heading, w.components, w.seed);
+                            type, w.Hs, w.Tp, degrees * w.heading, w.components, w.seed);
         }
     }
     if (e.waves.empty()) out += "still water\n";

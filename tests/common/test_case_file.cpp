@@ -58,6 +58,16 @@ std::vector<fs::path> all_cases() {
     return files;
 }
 
+TEST(Output, ARangeAloneRecordsNoEnd) {
+    const std::string chain = (source / "tests/common/cases/accepted/chain.yml").string();
+    const auto lines = [&](const std::string& entry) {
+        return read(chain, {{"output.lines", entry}}).output.lines.at(0).results;
+    };
+    EXPECT_TRUE(lines("[{range: [effective_tension]}]").empty());
+    EXPECT_EQ(lines("[{range: [effective_tension], at: [end_b]}]").size(), 1u);
+    EXPECT_EQ(lines("[{select: '*'}]").size(), 1u);
+}
+
 TEST(CaseFile, EveryCaseIsValid) {
     for (const fs::path& file : all_cases()) {
         EXPECT_NO_THROW(read_case(file, {})) << file;
@@ -260,7 +270,7 @@ TEST(TrussSpar, FourTopTensionedRisersHangInTheirTensionersAndSlideThroughSixGui
         EXPECT_EQ(l.length(), 1522);
         EXPECT_EQ(l.sheltered_above, -70.0);
         EXPECT_EQ(l.target.adjust, StaticTarget::Adjust::section_length);
-        EXPECT_EQ(l.target.section, 4);
+        EXPECT_EQ(l.target.section, 5);
         ASSERT_EQ(l.constraints.size(), 7U);
         const LineConstraint& tensioner = l.constraints[0];
         EXPECT_EQ(tensioner.type, ConstraintType::tensioner);

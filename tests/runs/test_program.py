@@ -3,6 +3,7 @@
 usage: test_program.py HAWSER SOURCE_DIR MPIEXEC [unittest arguments]
 """
 
+import importlib.machinery
 import json
 import math
 import os
@@ -165,10 +166,36 @@ class Stopping(Run):
                 self.assert_stopped(process)
             subprocess.run(["rm", "-rf", self.out], check=True)
 
+    def test_a_killed_run_leaves_a_status_that_says_so_to_the_plot(self):
+        process = self.long_run()
+        plot = importlib.machinery.SourceFileLoader("plot", str(
+            pathlib.Path(SOURCE) / "scripts" / "plot")).load_module()
+        self.assertEqual(plot.end_of(self.out), "has not ended")
+        process.kill()
+        process.wait(timeout=30)
+        self.assertEqual(self.status()["state"], "running")
+        self.assertEqual(plot.end_of(self.out), "was killed")
+
     def test_sigusr1_to_mpirun_ends_all_ranks_with_seven(self):
         process = self.long_run(ranks=3)
         process.send_signal(signal.SIGUSR1)
         self.assert_stopped(process)
+
+
+class Summary(Run):
+    def test_flags_a_line_that_goes_slack_and_is_compressed(self):
+        chain = pathlib.Path(SOURCE) / "cases" / "hanging_chain.yml"
+        motion = "lines.chain.end_a.motion.heave."
+        arguments = ["run", chain, "--duration", "20 s", "-q", "--set", "analysis.dynamics.ramp=4 s",
+                     "--set", "analysis.dynamics.statistics_from=10 s", "--out", self.out]
+        self.assertEqual(hawser(*arguments).returncode, 0)
+        self.assertNotIn("slack", (self.out / "summary.txt").read_text())
+        done = hawser(*arguments, "--force", "--set", motion + "amplitude=8 m", "--set",
+                      motion + "period=5 s")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex((self.out / "summary.txt").read_text(),
+                         r"! chain: slack \(below \d+\.\d kN somewhere\) for [\d.]+ s in all, first at "
+                         r"t = [\d.]+ s, least tension at [\d.]+ m")
 
 
 class Ranks(Run):

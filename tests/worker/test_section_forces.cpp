@@ -153,6 +153,7 @@ TEST(SectionForces, OfAShakenLineAreTheInertiaBelow) {
                                {.type = 0, .length = 120, .elements = 3}};
     input.lines[0].attachments = {{.arc_length = 244, .mass = 2000}};
     input.analysis.dynamics.line_step = 0.02;
+    input.analysis.dynamics.ramp = 8.0;
     const Sea sea = still_sea(input);
     RodPack<Quad> rod(input, sea, {0});
     ASSERT_TRUE(rod.equilibrium({}, false).ok());

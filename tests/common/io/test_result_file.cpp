@@ -22,6 +22,7 @@ namespace {
 using namespace hawser;
 using namespace hawser::io;
 using testing::HasSubstr;
+using testing::Not;
 namespace fs = std::filesystem;
 
 ResultDigest finish(const fs::path& folder, const Case& input, int samples_per_segment) {
@@ -147,6 +148,19 @@ void expect_described(const Hdf5File& file, const std::string& path, bool is_gro
     }
 }
 
+TEST(Result, TellsTheBreakingLoadOfTheSectionAtEveryNode) {
+    const test::Folder folder;
+    Case input = test::synthetic_chain(10.0);
+    input.line_types.push_back(input.line_types[0]);
+    input.line_types[0].breaking_load = 5e6, input.line_types[1].breaking_load = 3e6;
+    Line& line = input.lines[0];
+    line.sections = {{.type = 0, .length = 20, .elements = 2},
+                     {.type = 1, .length = 40, .elements = 2}};
+    finish(folder.path, input, 1000);
+    const auto load = Hdf5File::open(folder.path / "result.h5").read("/lines/nodes/breaking_load");
+    EXPECT_EQ(load, (std::vector<double>{5e6, 5e6, 3e6, 3e6, 3e6}));
+}
+
 TEST(Result, DescribesEveryDataset) {
     const test::Folder folder;
     finish(folder.path, test::synthetic_spar(10.0), 1000);
@@ -164,6 +178,23 @@ TEST(Result, OfARunThatFailedBeforeItsFirstSampleStillHoldsTheInput) {
     EXPECT_EQ(digest.samples, 0);
     EXPECT_THAT(summary_text(record, digest), HasSubstr("NOT COMPLETE: no static equilibrium"));
     EXPECT_EQ(Hdf5File::open(folder.path / "result.h5").read_text("/input/case"), record.resolved);
+}
+
+TEST(Summary, MarksALargeLedgerResidualAndSaysNothingOfMotionsWithoutLoads) {
+    const test::Folder folder;
+    RunRecord record = test::synthetic_record(test::synthetic_spar(10.0), 1);
+    LedgerTable& ledger = record.ledger.emplace();
+    ledger.components = {"waves", "damping"};
+    ledger.mean.assign(2, Vec6::Zero());
+    ledger.mean[0] << 1e6, 1e-3, 2e6, 0, 3e7, 0;
+    ledger.residual << 4e3, 1e-3, -11e3, 0, 9e5, 0;  // 0.4 %, noise, 0.55 %, -, 3 %, -
+    const ResultDigest digest = write_result(folder.path, record);
+    const std::string text = summary_text(record, digest);
+    EXPECT_THAT(text, HasSubstr("! residual above 0.5 %: heave 0.55 %, pitch 3 %."));
+    EXPECT_THAT(text, HasSubstr("shorter one than 0.5 s"));
+    EXPECT_THAT(text, HasSubstr("residual, % of largest        0.400            -        0.550"));
+    ledger.residual *= 0.1;
+    EXPECT_THAT(summary_text(record, digest), Not(HasSubstr("! residual")));
 }
 
 TEST(Result, DigestsStatisticsAndTheStart) {

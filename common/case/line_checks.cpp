@@ -32,9 +32,8 @@ class LineChecks {
         needs();
         response();
         parts();
-#include "packing.hpp"
-#include "line_mesh.hpp"
-#include "line_weight.hpp"
+        ties();
+        mesh();
     }
 
  private:

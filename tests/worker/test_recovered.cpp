@@ -172,7 +172,7 @@ TEST(Recovered, CantileverElasticaHasTheMomentAndShearOfItsDeadLoad) {  // valid
         EXPECT_NEAR(value(at, Q::bend_moment), P * arm, 8e-4 * root) << n;
         EXPECT_NEAR(value(at, Q::curvature), P * arm / EI, 8e-4 * root / EI) << n;
         EXPECT_NEAR(value(at, Q::shear_force), P * std::cos(theta), 0.01 * P) << n;
-        // F.t of R:46, with the B kappa^2 that lambda lacks: right as the tangent is, O(h^4)
+        // F.t of R:47, with the B kappa^2 that lambda lacks: right as the tangent is, O(h^4)
         EXPECT_NEAR(value(at, Q::effective_tension), P * std::sin(theta), 1e-6 * P) << n;
     }
 }

@@ -1,4 +1,4 @@
-// Force inside rods by balance, R:46, against closed forms: tension beside jumps of weight, stretch
+// Force inside rods by balance, R:47, against closed forms: tension beside jumps of weight, stretch
 // and bending stiffness, at point masses and constraints, on the bed, in motion and where a line
 // has parted.
 #include <gtest/gtest.h>

@@ -249,7 +249,7 @@ Vector<Single> Recovery<V>::force_at(const RodPack<V>& rod, const RodPlace& plac
                (Single(g[0]) * lane_of(b.r - a.r, lane) + Single(g[1] * L) * lane_of(a.d, lane) +
                 Single(g[2] * L) * lane_of(b.d, lane));
     }
-    // R:46; at a node the side towards end B, at end B what is inside the rod
+    // R:47; at a node the side towards end B, at end B what is inside the rod
     if (place.xi <= 0.0) return lane_of(e == 0 ? forces_.above[0] : forces_.below[e], lane);
     Vector<Single> F = lane_of(forces_.below[e + 1], lane);
     if (place.xi >= 1.0) return F;

@@ -23,7 +23,7 @@ struct RodPlace {
     int element = 0;  ///< from end B
     double xi = 0.0;  ///< in the element, from end B
     int end = 0;      ///< 1: end A, -1: end B, 0: between; end tensions are those of the reaction
-    std::array<double, gauss_points> above{};  ///< shares of the element's loads above it, R:46
+    std::array<double, gauss_points> above{};  ///< shares of the element's loads above it, R:47
     StressSection<Single> section;
 };
 
@@ -42,7 +42,7 @@ class Recovery {
     /// All quantities at all nodes in the rod's working state. Angles only if `angles`: they are
     /// the costly ones.
     ///
-    ///     T_eff = F.r'/|r'| with F of R:46,  kappa = |r' x r''|/|r'|^3,  M = B kappa,
+    ///     T_eff = F.r'/|r'| with F of R:47,  kappa = |r' x r''|/|r'|^3,  M = B kappa,
     ///     shear = |(B r'')'| across r'
     ///
     /// Catenaries have T_eff = lambda |r'|, exact at their nodes. r'' runs straight between the

@@ -206,7 +206,7 @@ class RodPack {
         return count;
     }
 
-    /// Force inside the rods in the working state from the balance of what acts on them, R:46.
+    /// Force inside the rods in the working state from the balance of what acts on them, R:47.
     void section_forces(SectionForces<V>& out) const;
 
     [[nodiscard]] const std::vector<int>& lines() const { return lines_; }

@@ -56,7 +56,7 @@ void RodPack<V>::section_forces(SectionForces<V>& out) const {
         return sum;
     };
 
-    // R:46, from end A
+    // R:47, from end A
     Vector<V> F = working_.head().force_a;
     V length(0.0);
     for (std::size_t n = N + 1; n-- > 0;) {

@@ -1,4 +1,4 @@
-// The force inside a rod from the balance of what acts on it, R:46, for results: weight, water,
+// The force inside a rod from the balance of what acts on it, R:47, for results: weight, water,
 // bed, inertia, point masses and constraints, from end A down, in every line model that solves for
 // them.
 #pragma once
@@ -13,7 +13,7 @@ namespace hawser::worker {
 /// A constraint nearer to a node than this part of the element is at the node.
 inline constexpr double at_node = 1e-9;
 
-/// R:46. Forces of what is above a section on what is below it [N], on world axes; nodes and
+/// R:47. Forces of what is above a section on what is below it [N], on world axes; nodes and
 /// elements are counted from end B.
 template <class V>
 struct SectionForces {

@@ -221,6 +221,27 @@ TEST(PaperLoop, StopsAtALineThatFailsAndSaysInWhichStage) {
     }
 }
 
+TEST(PaperLoop,
+     WaitsForTheLinesAlsoWhenTheHullFails) {  // else the workers' reply stays in the pipe
+    std::vector<std::string> log;
+    SpringLines lines({Vec6::Ones()});
+    lines.log = &log;
+    Body body;
+    body.force = [](double t) -> Vec6 {
+        if (t > 0.3) throw std::runtime_error("capsized");
+        return Vec6::Zero();
+    };
+    Reply start;
+    start.lines.resize(1);
+    PaperRate<Body> rate(body, lines, start);
+    EXPECT_THROW(
+        paper_loop(rate, State::Zero(), 0.5, [](int, double, const State&) { return true; }),
+        std::runtime_error);
+    // two stages at 0.25 s, and the one at 0.5 s where the hull fails
+    EXPECT_EQ(log,
+              (std::vector<std::string>{"send", "receive", "send", "receive", "send", "receive"}));
+}
+
 TEST(TotalWrench, IsTheSumInLineOrder) {
     Reply reply;
     for (const double fx : {1e16, 1.0, -1e16}) {  // any other order gives another sum

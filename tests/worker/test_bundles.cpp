@@ -309,6 +309,63 @@ TEST(Bundle, ALineInTwoPiecesIsTheLineInOne) {
     }
 }
 
+TEST(Bundle, QuasiStaticLinesAreAtRestTogether) {
+    // A pass of a pair whose top has moved ends where the static solution of that place is.
+    Case input = sagging(true, 2.0);
+    input.analysis.dynamics.line_model = LineModel::quasi_static;
+    input.analysis.dynamics.ramp = 0.0;
+    for (LineType& type : input.line_types) type.damping_ratio = {};
+    Bundle<Single> moved(input);
+    ASSERT_TRUE(moved.group.equilibrium({}, false).ok());
+    ASSERT_TRUE(moved.run(2.0, 0.25).ok());
+    Case there = input;
+    LineEnd& top = there.lines[1].end_a;
+    top.motion.reset();
+    top.position += Vec3(2.0, 0.6, 0.0);  // a quarter of the period of 8 s
+    Bundle<Single> still(there);
+    ASSERT_TRUE(still.group.equilibrium({}, false).ok());
+    for (const std::size_t i : {0, 1}) {
+        const double T = still.rods[i].tension_a(0);
+        EXPECT_NEAR(moved.rods[i].tension_a(0), T, 1e-5 * T) << i;
+    }
+    EXPECT_LT((moved.rods[1].constraint_force(0, 0) - still.rods[1].constraint_force(0, 0)).norm(),
+              1e-5 * still.rods[1].tension_a(0) + 10.0);
+}
+
+TEST(Packing, BundlesOfOnePatternStandLaneByLane) {
+    // three knots of three ropes, and two ropes by themselves
+    Case input;
+    for (int i = 0; i < 3; ++i) {
+        const Case one = Knot{}.input();
+        if (i == 0) input = one, input.lines.clear();
+        for (Line line : one.lines) {
+            for (LineConstraint& c : line.constraints) c.other_line += 3 * i;
+            input.lines.push_back(line);
+        }
+    }
+    input.lines[8].sections[0].elements = 9;  // the last knot is of another pattern
+    for (int i = 0; i < 2; ++i)
+        add_line(input, 0, 50, 6, fixed_at({0, 0, 0}), fixed_at({30, 0, -30}));
+    const std::vector<std::vector<int>> bundles{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9}, {10}};
+    EXPECT_EQ(bundles_of(input), bundles);
+    const std::vector<Pack> packs = packs_of(input);
+    const std::vector<std::vector<int>> lines{{0, 3}, {1, 4}, {2, 5}, {6}, {7}, {8}, {9, 10}};
+    const std::vector<int> groups{0, 0, 0, 1, 1, 1, 2};
+    ASSERT_EQ(packs.size(), lines.size());
+    for (std::size_t p = 0; p < packs.size(); ++p) {
+        EXPECT_EQ(packs[p].lines, lines[p]) << p;
+        EXPECT_EQ(packs[p].group, groups[p]) << p;
+    }
+    for (const int workers : {1, 2, 3, 5}) {
+        const std::vector<int> worker = assign(packs, workers);
+        for (std::size_t p = 1; p < packs.size(); ++p)  // a group is never torn apart
+            if (groups[p] == groups[p - 1]) {
+                EXPECT_EQ(worker[p], worker[p - 1]) << workers;
+            }
+    }
+    EXPECT_NE(assign(packs, 2).front(), assign(packs, 2)[3]);
+}
+
 /// Momentum, angular momentum about 0, energy of a rod.
 struct Motion {
     Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "rod/rod_group.hpp"
 #include "rod_runs.hpp"
 
 namespace {
@@ -98,6 +99,34 @@ TEST(RodPass, TakesNoMemory) {
     const RodPack<Quad> another = rods;               // the count works: a copy takes memory
     EXPECT_GT(another.elements(), 0);
     EXPECT_GT(taken - before, 0);
+}
+
+TEST(RodPass, OfTiedRodsTakesNoMemory) {
+    Case input = four_risers();
+    input.lines.resize(3);
+    input.lines[2].constraints = {};
+    for (const double arc : {300.0, 600.0})  // the third in the second, in the first
+        for (const int i : {1, 2})
+            input.lines[static_cast<std::size_t>(i)].constraints.push_back(
+                {.type = ConstraintType::slider,
+                 .name = "tie",
+                 .on_platform = false,
+                 .other_line = i - 1,
+                 .arc_length = arc,
+                 .stiffness = 1e7,
+                 .gap = i == 1 ? 0.0 : 0.05});
+    input.lines[2].end_a = fixed_at({4.6, 4.5, 23});
+    const Sea sea(input.environment, 0.0, 0.0);
+    std::vector<RodPack<Quad>> rods;
+    for (int i = 0; i < 3; ++i) rods.emplace_back(input, sea, std::vector<int>{i});
+    RodGroup<Quad> group{std::span(rods)};
+    ASSERT_TRUE(group.equilibrium({}, true).ok());
+    const PlatformMotion still;
+    const long before = taken;
+    const Status status = group.pass(0, 0.5, MotionSpline(0, still, 0.5, still));
+    group.keep();
+    EXPECT_EQ(taken - before, 0);
+    EXPECT_TRUE(status.ok());
 }
 
 }  // namespace

@@ -11,6 +11,20 @@
 namespace hawser::master {
 namespace {
 
+TEST(FreeHull, CrossingSeasLoadItWithTheSumOfBoth) {  // first order is linear
+    const auto load = [](const std::vector<WaveTrain>& trains) {
+        Case c = spar_case();
+        c.analysis.dynamics.ramp = 0;
+        c.environment.waves = trains;
+        return Vec6(Hull(c, &spar_data()).loads(7.0, State::Zero())[Load::wave1]);
+    };
+    WaveTrain sea = paper_sea(), cross = paper_sea(2), swell = regular_wave(0.45, 2);
+    cross.heading = 1.3, swell.heading = -2.0;
+    const Vec6 sum = load({sea}) + load({cross}) + load({swell});
+    EXPECT_LT((load({sea, cross, swell}) - sum).norm(), 1e-9 * sum.norm());
+    EXPECT_LT((load({swell, sea, cross}) - sum).norm(), 1e-9 * sum.norm());
+}
+
 TEST(FreeHull, RightingStiffnessIsThatOfWeightBuoyancyAndWaterplane) {  // K:6, K:7
     const Hull hull(spar_case(), &spar_data());
     const double rho_g = 1025 * 9.80665, waterplane = M_PI / 4 * std::pow(20.0, 4);

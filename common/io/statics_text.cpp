@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "line_weight.hpp"
 #include "io/text_table.hpp"
+#include "line_weight.hpp"
 #include "motion_names.hpp"
 
 namespace hawser::io {

@@ -67,6 +67,14 @@ class Hour:
     def motions(self):
         return self.file[f"platform/{self.platform}/position"][:]
 
+    def load(self, name, motion):
+        """A component of the load on the platform against time, the program's axes [N, N.m]."""
+        return self.file[f"platform/{self.platform}/loads/{name}"][:, motion]
+
+    def fact(self, name):
+        """A number that the run tells of the platform, e.g. a natural period [s]."""
+        return float(self.file[f"statics/platform/{self.platform}/{name}"][()])
+
     def series(self, channel):
         """A channel of PAPER against time, in the paper's axes."""
         quantity = PAPER[channel]

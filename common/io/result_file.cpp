@@ -48,6 +48,7 @@ ResultDigest write_result(const fs::path& folder, const RunRecord& record) {
         write_line_views(file, input, fields);
     }
     if (record.statics) write_statics(file, input, *record.statics);
+    write_platform_facts(file, input, record.platform);
     if (record.ledger) write_ledger(file, input, *record.ledger);
     for (const Fact& fact : record.performance) {
         write_numbers(file, "/performance/" + fact.name, {&fact.value, 1}, {}, fact.units,

@@ -43,6 +43,8 @@ std::vector<LineStart> line_starts(const Hdf5File& file, const RunRecord& record
 // result_tables.cpp: equilibrium, statistics, ledger
 
 void write_statics(Hdf5File& file, const Case& input, const StaticState& statics);
+/// Mass, buoyancy, GM, natural periods ... as /statics/platform/<name>/<fact>.
+void write_platform_facts(Hdf5File& file, const Case& input, const std::vector<Fact>& facts);
 void write_statistics(Hdf5File& file, const std::vector<ChannelStatistics>& rows, double from);
 void write_ledger(Hdf5File& file, const Case& input, const LedgerTable& ledger);
 

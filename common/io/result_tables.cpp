@@ -57,6 +57,12 @@ void write_statics(Hdf5File& file, const Case& input, const StaticState& statics
     }
 }
 
+void write_platform_facts(Hdf5File& file, const Case& input, const std::vector<Fact>& facts) {
+    for (const Fact& fact : facts)
+        write_numbers(file, "/statics" + platform_path(input) + fact.name, {&fact.value, 1}, {},
+                      fact.units, fact.description);
+}
+
 void write_statistics(Hdf5File& file, const std::vector<ChannelStatistics>& rows, double from) {
     std::vector<std::string> channel, unit;
     std::vector<std::int64_t> n;

@@ -18,7 +18,7 @@ namespace hawser {
 struct Material {
     std::string name;
     double E = 0.0, density = 0.0;  ///< [Pa], [kg/m3]
-    std::optional<double> yield;  ///< [Pa]
+    std::optional<double> yield;    ///< [Pa]
 };
 
 /// A layer round a line: coating, marine growth.

@@ -34,7 +34,7 @@ struct PipeWall {
     double outer_diameter = 0.0, inner_diameter = 0.0;  ///< of the steel [m]
     double contents_density = 0.0;                      ///< [kg/m3], for the pressure inside
     double concentration = 1.0;                         ///< factor on bending and axial stress
-    double thickness_factor = 1.0;  ///< of the wall left for stresses (corrosion)
+    double thickness_factor = 1.0;     ///< of the wall left for stresses (corrosion)
     std::optional<double> yield = {};  ///< [Pa]
 
     bool operator==(const PipeWall&) const = default;

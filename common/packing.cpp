@@ -93,6 +93,7 @@ std::vector<Pack> packs_of(const Case& input) {
     std::vector<Group> groups;
     for (const std::vector<int>& bundle : bundles_of(input)) {
         std::vector<Layout> layouts;
+        layouts.reserve(bundle.size());
         for (const int i : bundle)
             layouts.push_back(layout_of(input.lines[static_cast<std::size_t>(i)], bundle,
                                         input.analysis.dynamics.line_model));
@@ -142,6 +143,7 @@ std::vector<int> assign(const std::vector<Pack>& packs, int workers) {
         of_group[g] = static_cast<int>(least - load.begin());
     }
     std::vector<int> worker;
+    worker.reserve(packs.size());
     for (const Pack& pack : packs) worker.push_back(of_group[static_cast<std::size_t>(pack.group)]);
     return worker;
 }

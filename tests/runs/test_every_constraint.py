@@ -9,6 +9,8 @@ import sys
 import tempfile
 import unittest
 
+import h5py
+
 HAWSER, SOURCE, MPIEXEC = sys.argv[1:4]
 CASE = pathlib.Path(SOURCE) / "tests" / "runs" / "every_constraint.yml"
 
@@ -32,6 +34,18 @@ class EveryConstraint(unittest.TestCase):
                 same = subprocess.run([pathlib.Path(SOURCE) / "scripts" / "compare", folder / "alone" / "result.h5",
                                        other / "result.h5"], capture_output=True, text=True)
                 self.assertEqual(same.returncode, 0, f"{ranks} ranks: {same.stdout}{same.stderr}")
+
+    def test_a_line_that_has_parted_pulls_at_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            self.assertEqual(run(folder / "run").returncode, 0)
+            with h5py.File(folder / "run" / "result.h5") as f:
+                names = [name.decode() for name in f["/lines/names"][:]]
+                t, tension = f["/time"][:], f["/lines/end_a/effective_tension"][:]
+            parted, neighbour = tension[:, names.index("ml5")], tension[:, names.index("ml6")]
+            self.assertGreater(parted[t <= 2.0].min(), 3e6)  # it has until its time, 2 s
+            self.assertEqual(abs(parted[t > 2.0]).max(), 0.0)
+            self.assertGreater(neighbour.min(), 2.5e6)  # the others hold
 
 
 if __name__ == "__main__":

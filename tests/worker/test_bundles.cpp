@@ -500,6 +500,14 @@ TEST(Bundle, ItsBitsDoNotDependOnTheBundlesBeside) {
         knot.length[1] += 2.0 * i;
         Case one = knot.input();
         one.line_types[0] = plain_type(40.0, 1e7, 100.0);
+        // a strap between two of the ropes, in every knot at other elements
+        one.lines[2].constraints.push_back({.type = ConstraintType::ball_joint,
+                                            .name = "strap",
+                                            .on_platform = false,
+                                            .other_line = 1,
+                                            .other_arc = 12.0 + 12.0 * i,
+                                            .arc_length = 50.0 - 11.0 * i,
+                                            .stiffness = 500.0});
         if (i == 0) input = one, input.lines.clear();
         for (Line& line : one.lines) {
             if (i > 0 && line.end_a.position == knot.support[1])

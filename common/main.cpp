@@ -89,7 +89,11 @@ io::StaticsFound solve_statics(io::CaseFile& file) {
 
 /// `hawser statics`: one process, for it takes seconds.
 int statics(const io::CommandLine& line) {
-    const io::CaseFile file = ready_case(line);
+    io::CaseFile file = ready_case(line);
+    if (!line.without.empty()) {
+        file.value = without_lines(file.value, line.without);
+        std::fprintf(stderr, "without %s: the other lines alone\n", line.without.c_str());
+    }
     const StaticsReport report = find_statics(file.value, line.statics);
     for (const std::string& warning : report.warnings) complain("warning: " + warning);
     const std::string text = line.json ? io::statics_json(file.value, report).text() + "\n"

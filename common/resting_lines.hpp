@@ -12,11 +12,18 @@
 
 namespace hawser {
 
+/// The greatest of a quantity along a line; NaN where the line does not have it.
+struct Extreme {
+    double value = NAN;
+    double at = NAN;  ///< arc length from end A [m]
+};
+
 /// A constraint along a line in the static solution.
 struct ConstraintAtRest {
     Vec3 force = Vec3::Zero();  ///< on the line, world axes [N]
     double magnitude = 0.0;     ///< normal force, or tension of a tensioner [N]
-    double opening = 0.0;       ///< gap left, or stroke of a tensioner [m]
+    double opening = 0.0;       ///< gap left, stroke of a tensioner, of a joint the distance from
+                                ///< its place [m]
 };
 
 /// A line in the static solution. Angles are those of the direction of growing arc length.
@@ -27,6 +34,10 @@ struct LineAtRest {
     double azimuth_a = 0.0, azimuth_b = 0.0;          ///< in the horizontal plane, from +x [rad]
     double lowest_tension = 0.0;                      ///< effective tension along the line [N]
     double lowest_at = 0.0;                           ///< arc length of that place [m]
+    Extreme tension;                                  ///< effective [N]
+    Extreme von_mises, bending;                       ///< stress [Pa]
+    Extreme curvature;                                ///< [1/m]
+    Extreme yield, breaking_load;                     ///< part of it that is used [-]
     double grounded = 0.0;                            ///< length in contact with the seabed [m]
     double touchdown = NAN;                     ///< least arc length in contact [m]; NaN: none
     std::vector<ConstraintAtRest> constraints;  ///< in the order of Line::constraints

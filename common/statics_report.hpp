@@ -78,6 +78,12 @@ struct StaticsRequest {
     std::optional<FreeMotions> free = {};
 };
 
+/// The case after the lines called like the glob are gone. A platform mass of `auto` is that of the
+/// case with all of them, for the platform was built and ballasted with them. Throws RunError
+/// (input) if no line is called so, or another line is tied to one of them; (no_equilibrium).
+/// Defined by master/.
+Case without_lines(const Case& input, const std::string& glob);
+
 /// The equilibrium that starts a run. Throws RunError (no_equilibrium, input) with the reason.
 /// Defined by master/.
 StaticsReport find_statics(const Case& input, const StaticsRequest& request);

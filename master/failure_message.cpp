@@ -70,6 +70,9 @@ std::string failure_message(const Status& status, const Case& input, int stage,
                 "the stiffness and mass of the line there",
                 when, where, cfl);
         case Status::Code::no_equilibrium:
+            if (!(status.residual > 0.0) && line)  // there was nothing to start from
+                return fmt::format("{}: no static solution; likely cause: {}", name,
+                                   static_failure_cause(*line, input, pose));
             return fmt::format(
                 "{}: no static solution after {} iterations, largest position correction {:.2g} m "
                 "at {}; likely cause: {}",
@@ -77,10 +80,10 @@ std::string failure_message(const Status& status, const Case& input, int stage,
                 line ? static_failure_cause(*line, input, pose) : "");
         case Status::Code::false_equilibrium:
             return fmt::format(
-                "{}: no static solution: what was found is not a hanging line (compressed, folded "
-                "or "
-                "stretched beyond reason at {}); likely cause: {}",
-                name, where, line ? static_failure_cause(*line, input, pose) : "");
+                "{}: no static solution: what was found is not a hanging line (compressed more "
+                "than it "
+                "can stand, folded, or stretched beyond reason); likely cause: {}",
+                name, line ? static_failure_cause(*line, input, pose) : "");
     }
     return when;
 }

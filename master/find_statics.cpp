@@ -1,4 +1,8 @@
 // `hawser statics`: the equilibrium that starts a run, looked at closely. One process.
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -12,6 +16,34 @@
 #include "statics_report.hpp"
 
 namespace hawser {
+
+Case without_lines(const Case& input, const std::string& glob) {
+    const auto gone = [&](const Line& line) {
+        return fnmatch(glob.c_str(), line.name.c_str(), 0) == 0;
+    };
+    if (std::none_of(input.lines.begin(), input.lines.end(), gone))
+        throw RunError(ExitCode::input, fmt::format("--without: no line is called \"{}\"", glob));
+    Case left = input;
+    left.lines.clear();
+    std::vector<int> place;  // of each line among those that are left
+    for (const Line& line : input.lines) {
+        place.push_back(gone(line) ? -1 : static_cast<int>(left.lines.size()));
+        if (!gone(line)) left.lines.push_back(line);
+    }
+    for (Line& line : left.lines)
+        for (LineConstraint& c : line.constraints) {
+            if (c.other_line < 0) continue;
+            const auto other = static_cast<std::size_t>(c.other_line);
+            if (place[other] < 0)
+                throw RunError(ExitCode::input,
+                               fmt::format("--without: {} is tied to {} by {}", line.name,
+                                           input.lines[other].name, c.name));
+            c.other_line = place[other];
+        }
+    if (left.platform && !left.platform->mass)
+        left.platform->mass = find_statics(input, {}).platform->mass;
+    return left;
+}
 
 StaticsReport find_statics(const Case& input, const StaticsRequest& request) {
     using namespace master;

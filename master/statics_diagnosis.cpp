@@ -55,6 +55,13 @@ std::optional<std::string> unreasonable_stiffness(const Line& line, const Case& 
     return std::nullopt;
 }
 
+double longest_element(const Line& line) {
+    double longest = 0.0;
+    for (const Section& s : line.sections)
+        longest = std::max(longest, s.length / std::max(1, s.elements));
+    return longest;
+}
+
 std::optional<std::string> weak_tensioner(const Line& line, const Case& input) {
     for (const LineConstraint& c : line.constraints) {
         if (c.type != ConstraintType::tensioner) continue;
@@ -115,12 +122,22 @@ std::string static_failure_cause(const Line& line, const Case& input, const Plat
     if (auto cause = floating_part(line, input)) return *cause;
     if (ends_held) {
         const Vec3 span = b - a;
-        const double slack = length - std::hypot(span.x(), span.y()) - std::abs(span.z());
-        if (slack > 0.0)
+        const double across = std::hypot(span.x(), span.y()), down = std::abs(span.z());
+        const Vec3& lower = a.z() < b.z() ? a : b;
+        const double hangs = lower.z() - 0.5 * (length - down);  // a loop without width
+        const bool clear = hangs > bed_height(input.environment.seabed, lower);
+        if (length > across + down && clear)
+            return fmt::format(
+                "it hangs in a loop {:.4g} m deep between ends {:.4g} m apart: at its bottom it "
+                "turns within about {:.3g} m, which elements of {:.3g} m cannot follow; make them "
+                "shorter there",
+                0.5 * (length - down), across, 0.5 * across, longest_element(line));
+        if (length > across + down)
             return fmt::format(
                 "so long that it lies slack: {:.5g} m of line for {:.5g} m across and {:.5g} m "
-                "down",
-                length, std::hypot(span.x(), span.y()), std::abs(span.z()));
+                "down, and nothing says where the rest lies; shorten it to less than {:.5g} m or "
+                "move its end B further out",
+                length, across, down, across + down);
     }
     return "none of reach, weight and stiffness shows it; look at guides and joints, or at "
            "elements "

@@ -350,7 +350,10 @@ class LineChecks {
         const auto refuse = [&](bool has, const char* what, const char* instead) {
             if (has) error("", fmt::format("{}; use the model {}", what, instead));
         };
-        refuse(line_.fail.has_value(), "only a dynamic line parts", "dynamic");
+        refuse(line_.fail.has_value(),
+               "a line without dynamics cannot part (how the others stand without it: hawser "
+               "statics --without NAME)",
+               "dynamic");
         refuse(line_.winch.has_value(), "only a dynamic line is paid out", "dynamic");
         if (its != LineModel::catenary) return;
         bool bends = false, curved = false;

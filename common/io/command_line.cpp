@@ -91,6 +91,11 @@ void add_statics(CLI::App& app, Options& options, CommandLine& line) {
         .add_option("--lines", line.statics.lines,
                     "Lines that the curve sums, e.g. \"ml*\" (default all)")
         ->type_name("GLOB");
+    statics
+        .add_option("--without", line.without,
+                    "Lines that are gone, e.g. ml3: the damaged condition. A mass of auto stays "
+                    "that of all lines")
+        ->type_name("GLOB");
     statics.add_flag("--json", line.json, "Print everything as JSON: SI, angles in degrees");
     statics
         .add_option("-o,--output", options.output_file,

@@ -32,6 +32,7 @@ struct CommandLine {
     bool with_statics = false;          ///< check
     bool json = false;                  ///< check, statics, modes
     StaticsRequest statics;             ///< statics: the restoring curve
+    std::string without;                ///< statics: lines that are gone; empty: none
     ModesRequest modes;                 ///< modes
     bool reference = false;             ///< schema
     std::filesystem::path output_file;  ///< schema: empty, so standard output; statics, modes: CSV

@@ -85,9 +85,19 @@ Json line_json(const Case& input, const Line& line, const LineAtRest& r) {
         .put("azimuth_b", degrees * r.azimuth_b)
         .put("grounded", r.grounded);
     if (!std::isnan(r.touchdown)) out.put("touchdown", r.touchdown);
-    out.put("lowest_tension", r.lowest_tension)
-        .put("lowest_at", r.lowest_at)
-        .put("constraints", std::move(constraints));
+    out.put("lowest_tension", r.lowest_tension).put("lowest_at", r.lowest_at);
+    for (const auto& [name, extreme] : {std::pair("greatest_tension", &r.tension),
+                                        {"von_mises_stress", &r.von_mises},
+                                        {"bending_stress", &r.bending},
+                                        {"curvature", &r.curvature},
+                                        {"yield_utilisation", &r.yield},
+                                        {"load_utilisation", &r.breaking_load}}) {
+        if (std::isnan(extreme->value)) continue;
+        Json one = Json::object();
+        one.put("value", extreme->value).put("at", extreme->at);
+        out.put(name, std::move(one));
+    }
+    out.put("constraints", std::move(constraints));
     return out;
 }
 

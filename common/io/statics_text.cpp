@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "io/text_table.hpp"
 #include "line_weight.hpp"
@@ -142,12 +143,62 @@ std::string lines_text(const Case& input, const StaticsReport& report, bool brie
                     "A. lowest: least effective tension.\n");
 }
 
+std::string stress_text(const Case& input, const StaticsReport& report) {
+    TextTable table;
+    table.column("line");
+    table.column("tension", "kN");
+    table.column("at", "m");
+    table.column("von Mises", "MPa");
+    table.column("at", "m");
+    table.column("bending", "MPa");
+    table.column("at", "m");
+    table.column("curvature", "1/km");
+    table.column("at", "m");
+    table.column("of yield", "%");
+    table.column("of breaking load", "%");
+    for (std::size_t i = 0; i < input.lines.size(); ++i) {
+        const LineAtRest& r = report.lines[i];
+        std::vector<std::string> cells{input.lines[i].name};
+        for (const auto& [extreme, factor, decimals] : {std::tuple(&r.tension, 1e-3, 1),
+                                                        {&r.von_mises, 1e-6, 1},
+                                                        {&r.bending, 1e-6, 1},
+                                                        {&r.curvature, 1e3, 3}}) {
+            cells.push_back(number(factor * extreme->value, decimals));
+            cells.push_back(number(extreme->at, 1));
+        }
+        cells.push_back(number(100.0 * r.yield.value, 1));
+        cells.push_back(number(100.0 * r.breaking_load.value, 1));
+        table.row(std::move(cells));
+    }
+    if (input.lines.empty()) return "";
+    return title("Greatest along the lines") + table.text() +
+           "tension: effective. of yield: von Mises stress. of breaking load: effective tension. A "
+           "dash: the line type does not say.\n";
+}
+
+/// Which of the columns of the constraints' table tells a constraint's opening.
+enum class Opening { gap, stroke, off_place };
+Opening opening_of(ConstraintType type) {
+    switch (type) {
+        case ConstraintType::tensioner:
+            return Opening::stroke;
+        case ConstraintType::guide:
+        case ConstraintType::slider:
+        case ConstraintType::pull_tube:
+            return Opening::gap;
+        default:
+            return Opening::off_place;
+    }
+}
+
 std::string constraints_text(const Case& input, const StaticsReport& report) {
     TextTable table;
     table.column("constraint");
     table.column("kind");
     table.column("tension, force", "kN");
-    table.column("stroke, gap left", "m");
+    table.column("gap left", "mm");
+    table.column("stroke", "m");
+    table.column("off its place", "mm");
     bool any = false;
     for (std::size_t i = 0; i < input.lines.size(); ++i) {
         for (std::size_t c = 0; c < input.lines[i].constraints.size(); ++c) {
@@ -155,13 +206,21 @@ std::string constraints_text(const Case& input, const StaticsReport& report) {
             const ConstraintAtRest& r = report.lines[i].constraints[c];
             static constexpr std::array kinds = {
                 "ball_joint", "flex_joint", "clamp", "tensioner", "guide", "slider", "pull_tube"};
+            const Opening is = opening_of(constraint.type);
+            const auto cell = [&](Opening column, double factor, int decimals) {
+                return number(is == column ? factor * r.opening : NAN, decimals);
+            };
             table.row({input.lines[i].name + "/" + constraint.name,
                        kinds.at(static_cast<std::size_t>(constraint.type)),
-                       number(r.magnitude / 1e3, 2), number(r.opening, 4)});
+                       number(r.magnitude / 1e3, 2), cell(Opening::gap, 1e3, 1),
+                       cell(Opening::stroke, 1.0, 4), cell(Opening::off_place, 1e3, 2)});
             any = true;
         }
     }
-    return any ? title("Constraints along the lines") + table.text() : "";
+    if (!any) return "";
+    return title("Constraints along the lines") + table.text() +
+           "gap left: negative where the line is pressed in. off its place: how far the point held "
+           "by a joint gives.\n";
 }
 
 /// The motions beside the offset that were free, or those that were not.
@@ -238,6 +297,7 @@ std::string statics_text(const Case& input, const StaticsReport& report) {
         if (!input.lines.empty()) out += stiffness_text("Stiffness of the lines", p.line_stiffness);
     }
     out += lines_text(input, report, false);
+    out += stress_text(input, report);
     out += constraints_text(input, report);
     if (report.curve) out += curve_text(input, *report.curve);
     return out;

@@ -88,12 +88,6 @@ class RestoringCurve(unittest.TestCase):
         said = hawser("statics", SPAR, "--offset", "0,10", "--lines", "ml*").stdout
         self.assertIn("held as designed: transverse, heave, roll, pitch, yaw", said)
 
-    def test_ends_where_the_lines_end_and_keeps_what_was_found(self):
-        done = hawser("statics", SPAR, "--offset", "0,20,4000")
-        self.assertEqual(done.returncode, 4)
-        self.assertIn("20.00  ", done.stdout)
-        self.assertIn("at an offset of 4000 m towards 0 deg: ", done.stderr)
-
     def test_wants_a_platform(self):
         done = hawser("statics", CHAIN, "--offset", "0,1")
         self.assertEqual(done.returncode, 3)
@@ -155,6 +149,25 @@ class Tables(unittest.TestCase):
                 # all of it but what the stiff pipe lifts where it meets the bed
                 self.assertAlmostEqual(line["touchdown"] + line["grounded"], line["length"],
                                        delta=2.0)
+
+
+class Damaged(unittest.TestCase):
+    def test_without_a_line_the_others_balance_the_same_platform(self):
+        """Without a weather line the spar goes away from it until the others pull back as much, and the
+        mass that was `auto` stays what floats with all lines."""
+        calm = ("--set", "analysis.statics.loads=[]")
+        whole, damaged = statics(SPAR, *calm), statics(SPAR, *calm, "--without", "ml1")
+        self.assertEqual(len(damaged["lines"]), len(whole["lines"]) - 1)
+        p, q = whole["platform"], damaged["platform"]
+        self.assertAlmostEqual(p["mass"], q["mass"], delta=1e-6 * p["mass"])
+        # ml1 pulled towards +x or -x with its horizontal tension; the slope of the rest is K11 of lines
+        line = whole["lines"][0]
+        azimuth, slope = math.radians(line["azimuth_a"]), q["line_stiffness"][0][0]
+        pull = line["tension_a"] * math.sin(math.radians(line["declination_a"])) * math.cos(azimuth)
+        moved = q["position"]["surge"] - p["position"]["surge"]
+        # trim and the curve's bend: a quarter
+        self.assertAlmostEqual(moved / (-pull / slope), 1.0, delta=0.25)
+        self.assertEqual(hawser("statics", SPAR, "--without", "cable*").returncode, 3)
 
 
 class Modes(unittest.TestCase):

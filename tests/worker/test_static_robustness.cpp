@@ -70,6 +70,54 @@ TEST(StaticFailure, OfOneLaneIsNamedAndTheOthersKeepWhatTheyHad) {
     EXPECT_TRUE(same_bits(rod.kept(), before));
 }
 
+/// Chain of the VolturnUS-S floater, its axis lying on the bed, one of three headings.
+Case volturn_chain(double element, int line) {
+    LineType type = plain_type(685, 3.27e9);
+    type.displaced_area = (685 - 5842.1223 / 9.80665) / 1025;
+    type.outer_diameter = 0.0;
+    const double heading = M_PI + 2 * M_PI * line / 3;
+    const Vec3 u(std::cos(heading), std::sin(heading), 0);
+    LineEnd a;
+    a.kind = EndKind::platform;
+    a.position = 58 * u + Vec3(0, 0, -14);
+    return one_line(type, 850, static_cast<int>(std::ceil(850 / element)), a,
+                    anchored_at(837.6 * u - Vec3(0, 0, 200)), 200);
+}
+
+TEST(MooringChain, IsFoundOnAnyMeshAndAnyBed) {  // validation row A3b
+    for (const double bed : {1e5, 1e6, 1e7})
+        for (const double element : {3.5, 7.5})
+            for (int line = 0; line < 3; ++line) {
+                Case input = volturn_chain(element, line);
+                input.environment.seabed.normal_stiffness = bed;
+                const Sea sea = still_sea(input);
+                RodPack<Quad> rod(input, sea, {0});
+                ASSERT_TRUE(rod.equilibrium({}, false).ok())
+                    << bed << " " << element << " " << line;
+                EXPECT_NEAR(rod.tension_a(0), 2435.6e3, 5e-3 * 2435.6e3) << bed << " " << element;
+            }
+}
+
+TEST(LightLine, LiesDownInTheStream) {
+    // 1.6 N/m in water, 17 to 630 N/m of drag across it
+    for (const double speed : {0.5, 1.0, 2.0, 3.0}) {
+        LineType type = plain_type(10.5, 5e7);
+        type.displaced_area = 10.34 / 1025;
+        type.outer_diameter = type.drag_diameter = 0.1133;
+        type.drag_normal = 1.2;
+        Case input = one_line(type, 320, 40, fixed_at({0, 0, -5}), fixed_at({0, 200, -195}), 400);
+        input.environment.current.emplace();
+        input.environment.current->profile = {{.depth = 0, .speed = speed},
+                                              {.depth = 400, .speed = speed}};
+        const Sea sea = still_sea(input);
+        RodPack<Quad> rod(input, sea, {0});
+        ASSERT_TRUE(rod.equilibrium({}, true).ok()) << speed;
+        // the drag on the whole line is carried by its ends
+        const Vec3 pull = rod.force_on_support_a(0) + rod.force_on_support_b(0);
+        EXPECT_GT(pull.x(), 0.3 * 0.5 * 1025 * 1.2 * 0.1133 * speed * speed * 320) << speed;
+    }
+}
+
 TEST(CatenaryRiser, WithEightHundredMetresOnTheBedFollowsItsPlatform) {
     const Case input = catenary_riser();
     const Sea sea = still_sea(input);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "line_mesh.hpp"
+#include "line_quantities.hpp"
 #include "rod/recovered.hpp"
 
 namespace hawser::worker {
@@ -39,6 +40,21 @@ LineAtRest at_rest(const RodPack<V>& pack, int lane, const Case& input) {
         out.lowest_at = s[static_cast<std::size_t>(n)];
     }
 
+    const auto greatest = [&](LineQuantity quantity) {
+        Extreme found;
+        for (int n = 0; n <= mesh.elements(); ++n) {
+            const double x = T::get(recovery.node(n)[index_of(quantity)], lane);
+            if (x > found.value || (std::isnan(found.value) && !std::isnan(x)))
+                found = {x, s[static_cast<std::size_t>(n)]};
+        }
+        return found;
+    };
+    out.tension = greatest(LineQuantity::effective_tension);
+    out.von_mises = greatest(LineQuantity::von_mises_stress);
+    out.bending = greatest(LineQuantity::bending_stress);
+    out.curvature = greatest(LineQuantity::curvature);
+    out.yield = greatest(LineQuantity::yield_utilisation);
+    out.breaking_load = greatest(LineQuantity::load_utilisation);
     const Grounding bed = recovery.grounding(pack, lane);
     out.grounded = bed.grounded;
     out.touchdown = bed.touchdown;

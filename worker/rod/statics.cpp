@@ -19,6 +19,14 @@ constexpr int static_iterations = 100;
 constexpr double careful_parts[] = {0.5, 0.2};
 /// Stiffness of held points along a rod, as a part of the whole, on the way to them.
 constexpr double held_parts[] = {1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0};
+/// In place of such a part: where Newton's iteration loses its way, the rod is followed as in slow
+/// motion through a stiff fluid, (J + ease M) d = R, which ends at an equilibrium that is stable.
+/// The ease fades while corrections are short.
+constexpr double eased = 0.0;
+constexpr double first_ease = 10.0, last_ease = 1e-6;  // [1/s2]
+constexpr double ease_shrinks = 0.7, ease_grows = 4.0;
+constexpr double eased_step = 2.0;  // longer corrections are held back more [m]
+constexpr int eased_iterations = 600;
 constexpr double static_step_limit = 50.0;  // [m]
 constexpr double move_per_increment = 5.0;  // of the platform between two static solutions [m]
 constexpr double turn_lever = 100.0;        // metres of motion that a radian of rotation counts as
@@ -160,15 +168,20 @@ auto RodGroup<V>::static_newton(const PlatformMotion& pose, bool current, Mask w
 
     Mask iterating = wanted, solved = LaneTraits<V>::none();
     V polish(0.0);  // two more iterations after the position test settle lambda
-    for (int i = 0; i < static_iterations / part && any(iterating); ++i) {
+    const bool is_eased = part == eased;
+    if (is_eased) part = 1.0;
+    V ease(is_eased ? first_ease : 0.0);
+    const double most = is_eased ? eased_iterations : static_iterations / part;
+    for (int i = 0; i < most && any(iterating); ++i) {
         for (RodPack<V>& p : packs_) {
             p.current_only(current, now, still);
             if (!p.curves_.empty()) (void)p.follow_curves(iterating, nullptr, V(1.0));
         }
         place(&RodPack<V>::kept_, now, now, still, true);
         evaluate(V(0.0));
-        solve(V(0.0), V(0.0));
+        solve(ease, V(0.0));
         Mask sound = iterating, close = iterating;
+        V longest(0.0);
         for (RodPack<V>& p : packs_) {
             V correction, finite;
             p.update_trial(iterating, V(0.0), V(0.0), V(part), V(static_step_limit), correction,
@@ -181,6 +194,12 @@ auto RodGroup<V>::static_newton(const PlatformMotion& pose, bool current, Mask w
             p.settle_constraints(iterating);
             sound = sound & (finite <= V(0.0));
             close = close & (correction <= V(static_tolerance));
+            longest = max(longest, correction);
+        }
+        if (is_eased) {
+            const V more = max(V(ease_grows) * ease, V(last_ease));
+            ease = select(longest > V(eased_step), more, V(ease_shrinks) * ease);
+            ease = select(ease < V(last_ease), V(0.0), ease);
         }
         polish = select(sound & close, polish + V(1.0), V(0.0));
         const Mask done = sound & (polish >= V(3.0));
@@ -200,9 +219,10 @@ auto RodGroup<V>::static_newton(const PlatformMotion& pose, bool current, Mask w
 
 template <class V>
 auto RodPack<V>::false_equilibria() const -> Mask {
-    // Newton finds any equilibrium. Accept it only if the rod is in tension, does not fold inside
-    // an element, and is neither stretched nor squeezed beyond reason.
-    Mask bad = LaneTraits<V>::none();
+    // Newton finds any equilibrium. Accept it only if the rod is in tension or stands the
+    // compression, does not fold inside an element, and is neither stretched nor squeezed beyond
+    // reason.
+    Mask bad = LaneTraits<V>::none(), squeezed = LaneTraits<V>::none();
     const std::vector<TrialNode<V>>& node = trial_;
     V strongest(0.0);
     for (std::size_t i = 0; i < lambda_.size(); ++i) strongest = max(strongest, abs(lambda_[i]));
@@ -217,9 +237,29 @@ auto RodPack<V>::false_equilibria() const -> Mask {
         const V bending =
             properties_[e].B * dot(turn, turn) / (properties_[e].L * properties_[e].L);
         for (std::size_t i = 2 * e; i < 2 * e + 3; ++i)
-            bad = bad | (lambda_[i] < V(-0.01) * strongest - V(3.0) * bending);
+            squeezed = squeezed | (lambda_[i] < V(-0.01) * strongest - V(3.0) * bending);
     }
-    return bad & used_;
+    const bool tied = std::any_of(constraints_.begin(), constraints_.end(),
+                                  [](const PlacedConstraint<V>& c) { return c.tied; });
+    if (!any(squeezed)) return bad & used_;
+    if (!static_ || tied) return (bad | squeezed) & used_;
+    // A direction of negative stiffness shows in the inertia of the last solution's tangent, in the
+    // sense of Sylvester: at a minimum each node's multiplier gives one negative pivot, no more.
+    V negative(0.0);
+    const auto count = [&](const V* inverse_d, int n) {
+        for (int i = 0; i < n; ++i) negative += select(inverse_d[i] < V(0.0), V(1.0), V(0.0));
+    };
+    for (const NodeFactor<V>& f : factors_) count(f.inverse_d, 7);
+    V L[7][7], inverse_d[7];
+    if (place_a_.prescribed()) {
+        factor<3, 4>(last_D_, L, inverse_d);
+        count(inverse_d, 4);
+    } else {
+        factor<0, 7>(last_D_, L, inverse_d);
+        count(inverse_d, 7);
+    }
+    const Mask unstable = negative > V(static_cast<double>(trial_.size()));
+    return (bad | (squeezed & unstable)) & used_;
 }
 
 template <class V>
@@ -408,6 +448,15 @@ Status RodGroup<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
     const auto unsolved = [&](Mask done) {
         return status_of(everything_of(done), Status::Code::no_equilibrium, 0.0);
     };
+    // Lanes without a solution, or with one that nobody wants, once more: from the catenary, eased.
+    const auto relaxed = [&](const PlatformMotion& at, bool in_current, Mask solved) {
+        Mask lost = everything_of(solved);
+        for (const RodPack<V>& p : packs_) lost = lost | p.false_equilibria();
+        if (!any(lost)) return solved;
+        for (RodPack<V>& p : packs_) p.guessed_ = LaneTraits<V>::none();
+        guess(lost, at);
+        return (solved & !lost) | static_newton(at, in_current, lost, eased);
+    };
     if (!packs_.front().started_) {
         // The first solution is that of the design position in still water, from the catenary; axes
         // of joints that follow the static tangent are taken from it.
@@ -438,6 +487,7 @@ Status RodGroup<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
             for (RodPack<V>& p : packs_) p.hold_part_ = 1.0;
             solved = solved | drawn;
         }
+        solved = relaxed(design, false, solved);
         for (RodPack<V>& p : packs_) p.law_on_ = true;
         if (any(everything_of(solved))) return unsolved(solved);
         for (RodPack<V>& p : packs_) p.take_axes();
@@ -469,6 +519,7 @@ Status RodGroup<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
             guess(again, at);
             solved = solved | static_newton(at, current, again, part);
         }
+        solved = relaxed(at, current, solved);
         if (any(everything_of(solved))) return unsolved(solved);
     }
     if (Status untrue = false_equilibrium(); !untrue.ok()) return untrue;

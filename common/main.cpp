@@ -11,6 +11,7 @@
 #include "io/case_file.hpp"
 #include "io/check_command.hpp"
 #include "io/command_line.hpp"
+#include "io/cylinder_command.hpp"
 #include "io/files.hpp"
 #include "io/hdf5.hpp"
 #include "io/link.hpp"
@@ -180,6 +181,8 @@ int main(int argc, char** argv) {
                 return statics(line);
             case Command::modes:
                 return modes(line);
+            case Command::hydro_cylinder:
+                return io::cylinder_command(line.cylinder, line.out.string(), line.quiet);
             case Command::schema:
                 return io::schema_command(line);
             case Command::none:

@@ -7,6 +7,8 @@
 #include <map>
 #include <sstream>
 
+#include "io/cylinder_options.hpp"
+
 namespace hawser::io {
 namespace {
 
@@ -19,6 +21,7 @@ struct Options {
     std::string case_file, out, output_file, duration, seed, offset, free;
     double heading = 0.0;
     std::vector<std::string> sets;
+    CylinderOptions cylinder;
 };
 
 void add_case(CLI::App& command, Options& options) {
@@ -129,6 +132,43 @@ void add_modes(CLI::App& app, Options& options, CommandLine& line) {
         "6 input or output failure.");
 }
 
+/// `hydro` has commands of its own, for data that no case is needed for.
+void add_hydro(CLI::App& app, Options& options, CommandLine& line) {
+    CLI::App& hydro = *app.add_subcommand("hydro", "Hydrodynamic coefficients without a case.");
+    hydro.require_subcommand(1);
+    CLI::App& cylinder = *hydro.add_subcommand(
+        "cylinder",
+        "Radiation, excitation, mean drift and hydrostatics of vertical cylinders on one axis, by "
+        "linear potential flow, as a set of WAMIT files STEM.1 .3 .8 .hst with ULEN 1 about the "
+        "waterline, without weight.");
+    CylinderOptions& o = options.cylinder;
+    const auto add = [&](const char* name, std::string& value, const char* type, const char* text) {
+        cylinder.add_option(name, value, text)->type_name(type);
+    };
+    add("--depth", o.depth, "M", "Water depth");
+    cylinder.add_option("--part", o.parts, "Radius, top and bottom of a solid part; repeatable")
+        ->type_name("R,TOP,BOTTOM")
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add("--frequencies", o.frequencies, "FROM:TO:STEP", "Or a list with commas, rad/s");
+    add("--headings", o.headings, "FROM:TO:STEP", "Or a list, degrees (default 0)");
+    add("--out", o.out, "STEM", "Where to write");
+    add("--rho", o.rho, "KG/M3", "Water density (default 1025)");
+    add("--g", o.g, "M/S2", "Gravity (default 9.80665)");
+    add("--mass", o.mass, "KG",
+        "The drift is that of the free hull with this mass; else it is fixed");
+    add("--cog", o.cog, "Z", "Centre of gravity, with --mass");
+    add("--gyration", o.gyration, "M", "Radius of roll and pitch about it, with --mass");
+    add("--heave-added-mass", o.heave_added_mass, "KG",
+        "Of heave plates, in the free hull's heave");
+    add("--heave-damping", o.heave_damping, "FRACTION", "Of critical, in the free hull's heave");
+    add("--tolerance", o.tolerance, "PART", "Relative truncation error (default 2e-4)");
+    cylinder.add_flag("-q,--quiet", line.quiet, "Only errors");
+    cylinder.callback([&line] { line.command = CommandLine::Command::hydro_cylinder; });
+    cylinder.footer("Exit codes: 0 written; 2 wrong command line; 6 output failure.");
+}
+
 /// "from:to:step" or "a,b,c"; false if it is neither.
 bool read_offsets(const std::string& text, std::vector<double>& out) {
     std::vector<double> numbers;
@@ -233,6 +273,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     add_run(app, options, line);
     add_statics(app, options, line);
     add_modes(app, options, line);
+    add_hydro(app, options, line);
     add_others(app, options, line);
     try {
         app.parse(argc, argv);
@@ -244,10 +285,19 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
         const std::string first = argc > 1 ? argv[1] : "";
         if (code != 0 && !first.empty() && first[0] != '-' && app.get_subcommands().empty()) {
             line.message = fmt::format(
-                "unknown command \"{}\"; the commands are run, check, statics, modes, schema, "
+                "unknown command \"{}\"; the commands are run, check, statics, modes, hydro, "
+                "schema, "
                 "version\n",
                 first);
         }
+        return line;
+    }
+    if (line.command == CommandLine::Command::hydro_cylinder) {
+        std::vector<std::string> problems;
+        line.cylinder = cylinder_request(options.cylinder, problems);
+        line.out = options.cylinder.out;
+        for (const std::string& problem : problems) line.message.append(problem).append("\n");
+        if (!problems.empty()) line.finished = ExitCode::command_line;
         return line;
     }
     line.case_file = options.case_file;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "hydro/cylinder_data.hpp"
 #include "modes_report.hpp"
 #include "roles.hpp"
 #include "statics_report.hpp"
@@ -15,7 +16,7 @@
 namespace hawser::io {
 
 struct CommandLine {
-    enum class Command { none, run, check, statics, modes, schema, version };
+    enum class Command { none, run, check, statics, modes, hydro_cylinder, schema, version };
     Command command = Command::none;
 
     std::filesystem::path case_file;  ///< run, check, statics, modes
@@ -36,6 +37,8 @@ struct CommandLine {
     ModesRequest modes;                 ///< modes
     bool reference = false;             ///< schema
     std::filesystem::path output_file;  ///< schema: empty, so standard output; statics, modes: CSV
+
+    hydro::CylinderRequest cylinder;  ///< hydro cylinder; `out` is the stem of its files
 
     std::string text;  ///< the whole command, for the result's attributes
 

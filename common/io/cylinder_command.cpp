@@ -18,19 +18,24 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A line every few seconds, none for what takes less.
+/// A line every few seconds, none for what takes less. The choice of the sums comes before the
+/// first frequency and is not counted.
 class Progress {
  public:
     void operator()(double done) {
+        if (first_ == 0.0) {
+            start_ = last_ = Clock::now();
+            first_ = done;
+        }
         if (seconds_since(last_) < 3.0) return;
         last_ = Clock::now();
-        const double spent = seconds_since(start_);
-        fmt::print(stderr, "frequencies {:3.0f} %  {:.0f} s, about {:.0f} s to go\n", 100.0 * done,
-                   spent, spent * (1.0 - done) / done);
+        const double to_go = seconds_since(start_) * (1.0 - done) / (done - first_);
+        fmt::print(stderr, "frequencies {:3.0f} %, about {:.0f} s to go\n", 100.0 * done, to_go);
     }
 
  private:
-    Clock::time_point start_ = Clock::now(), last_ = start_;
+    Clock::time_point start_, last_;
+    double first_ = 0.0;
 };
 
 std::string summary(const hydro::CylinderRequest& request, const hydro::CylinderData& d) {

@@ -51,7 +51,9 @@ TEST(BottomFoundedColumn, IsExcitedAsMacCamyAndFuchsSay) {  // H:9
 }
 
 TEST(BottomFoundedColumn, DriftsAsHavelockSays) {  // H:11
-    // (4 / (pi kR)^2) rho g n / k sum [1 - m(m+1)/(kR)^2]^2 / (|H_m'|^2 |H_(m+1)'|^2)
+    // 4 / (pi kR)^2 rho g / k (1 + 2kh / sinh 2kh) sum [1 - m(m+1)/(kR)^2]^2 / (|H_m'|^2
+    // |H_(m+1)'|^2) in long waves of deep water 5/16 pi^2 rho g R (kR)^3, in short ones 2/3 rho g
+    // R.
     for (const double w : {0.3, 0.6, 1.0, 2.0}) {
         const double R = 10.0, h = 100.0, k = wave_number(w, h, g), x = k * R;
         double sum = 0.0;
@@ -59,8 +61,8 @@ TEST(BottomFoundedColumn, DriftsAsHavelockSays) {  // H:11
             const double factor = 1.0 - m * (m + 1.0) / (x * x);
             sum += factor * factor / (slope2(m, x) * slope2(m + 1, x));
         }
-        const double n = 0.5 + k * h / std::sinh(2.0 * k * h);
-        const double drift = 4.0 / (M_PI * M_PI * x * x) * rho * g * n / k * sum;
+        const double depth_factor = 1.0 + 2.0 * k * h / std::sinh(2.0 * k * h);
+        const double drift = 4.0 / (M_PI * M_PI * x * x) * rho * g / k * depth_factor * sum;
         EXPECT_NEAR(response(column, 1.0, w).drift, drift, 1e-9 * drift) << w;
     }
 }

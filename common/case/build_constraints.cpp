@@ -39,6 +39,11 @@ class BuildConstraint {
         if (!keys_.names && places.size() > 1) {
             return error("", "several heights need \"names\", e.g. names: \"plate{n}\"");
         }
+        if (keys_.arc && (places.size() > 1 || keys_.length > 0.0)) {
+            return error(".arc",
+                         "holds one point of the line, which cannot be at several places: leave "
+                         "it out, so that whatever passes them is held");
+        }
         for (std::size_t n = 0; n < places.size(); ++n) {
             c.position = places[n];
             c.name = name(n + 1);
@@ -83,13 +88,7 @@ class BuildConstraint {
         return ConstraintType::guide;
     }
 
-    std::string name(std::size_t n) const {
-        std::string text = keys_.names.value_or(keys_.name.value_or(""));
-        if (const std::size_t at = text.find("{n}"); at != std::string::npos) {
-            text.replace(at, 3, std::to_string(n));
-        }
-        return text;
-    }
+    std::string name(std::size_t n) const { return constraint_name(keys_, n); }
 
     void add(const LineConstraint& c) {
         for (const LineConstraint& other : line_.constraints) {
@@ -274,6 +273,11 @@ class BuildConstraint {
         if (keys_.platform || !keys_.z.empty() || keys_.position || keys_.arc) {
             error("", "a winch stands at end A: it has no place of its own");
         }
+        if (keys_.stiffness) error(".stiffness", "a winch has none: the line itself gives");
+        if (keys_.damping > 0.0) error(".damping", "a winch has none: the line itself gives");
+        if (line_.end_a.kind == EndKind::free) {
+            error("", "a winch stands at end A, which is free here: it has nothing to pull at");
+        }
         const Curve& rows = keys_.paid_out;
         for (std::size_t i = 1; i < rows.size(); ++i) {
             if (rows[i][0] <= rows[i - 1][0]) {
@@ -293,6 +297,14 @@ class BuildConstraint {
 };
 
 }  // namespace
+
+std::string constraint_name(const ConstraintKeys& keys, std::size_t n) {
+    std::string text = keys.names.value_or(keys.name.value_or(""));
+    if (const std::size_t at = text.find("{n}"); at != std::string::npos) {
+        text.replace(at, 3, std::to_string(n));
+    }
+    return text;
+}
 
 Vec3 direction_down(double angle, std::optional<double> azimuth) {
     const double a = azimuth.value_or(0.0);

@@ -1,7 +1,9 @@
 // From the declared line to what holds it, targets of statics and failures.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <string>
 
 #include "case/declared.hpp"
 
@@ -12,6 +14,9 @@ Vec3 direction_down(double angle, std::optional<double> azimuth);
 
 /// The one number of a stiffness: the first slope of the curve where there is one.
 double first_slope(const Curve& curve, std::optional<double> number);
+
+/// Name of the n-th constraint, from 1, that a declared one makes.
+std::string constraint_name(const ConstraintKeys& keys, std::size_t n);
 
 /// Constraints and winch of `line`, whose ends and sections are known.
 void line_constraints(const LineKeys& keys, const DeclaredCase& declared, Line& line,

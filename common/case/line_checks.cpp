@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/build_constraints.hpp"
 #include "line_mesh.hpp"
 #include "line_weight.hpp"
 #include "packing.hpp"
@@ -54,12 +55,11 @@ class LineChecks {
         if (c.is_end) return "." + c.name;
         for (std::size_t i = 0; i < keys_.constraints.size(); ++i) {
             const ConstraintKeys& declared = keys_.constraints[i];
-            std::string start = declared.names.value_or(declared.name.value_or(""));
-            const bool list = start.find("{n}") != std::string::npos;
-            start = start.substr(0, start.find("{n}"));
-            const bool long_guide = declared.length > 0.0;
-            if (c.name == start || ((list || long_guide) && c.name.starts_with(start))) {
-                return fmt::format(".constraints[{}]", i);
+            for (std::size_t n = 1; n <= std::max<std::size_t>(1, declared.z.size()); ++n) {
+                const std::string name = constraint_name(declared, n);
+                if (c.name == name || c.name == name + ".upper" || c.name == name + ".lower") {
+                    return fmt::format(".constraints[{}]", i);
+                }
             }
         }
         return ".constraints";
@@ -79,11 +79,7 @@ class LineChecks {
         return (t.mass - water.density * t.displaced_area) * water.gravity;
     }
 
-    double bed(const Vec3& r) const {
-        const Seabed& s = case_.environment.seabed;
-        return -s.depth + std::tan(s.slope_angle) * (r.x() * std::cos(s.slope_direction) +
-                                                     r.y() * std::sin(s.slope_direction));
-    }
+    double bed(const Vec3& r) const { return case_.environment.seabed.height(r.x(), r.y()); }
 
     /// What it could stretch to before it breaks [m].
     double stretch() const {

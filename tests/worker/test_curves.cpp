@@ -1,10 +1,12 @@
 // Tabulated tension against strain (R:41), bending damping, buoyant sections.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "rod/catenary.hpp"
 #include "rod/curves.hpp"
+#include "rod/modes.hpp"
 #include "rod_runs.hpp"
 
 namespace hawser::worker {
@@ -53,6 +55,44 @@ TEST(TensionTable, IsFollowedInMotionAcrossItsKinks) {  // R:41, with a damper b
                         EXPECT_NEAR(rod.tension_a(0), T, 2e-3 * T + 5e-3 * 0.01 * damping) << t;
                     }).ok());
     }
+}
+
+TEST(TensionTable, GivesModesTheStiffnessOfItsOwnSlope) {  // R:43: w = n pi/L sqrt(F'/m)
+    for (const auto& [e, slope] : {std::pair(0.009, 1e7), {0.02, 2.5e7}, {0.045, 1e7}}) {
+        Case input = tabulated(fixed_at({100 * (1 + e), 0, 0}));
+        input.line_types[0].mass = 1.0;
+        input.lines[0].sections[0].elements = 20;
+        const Sea sea = still_sea(input);
+        RodPack<Single> rod(input, sea, {0});
+        ASSERT_TRUE(rod.equilibrium({}, false).ok()) << e;
+        const std::vector<RodMode> modes = rod_modes(rod, 0, input, 40);
+        const auto axial = std::find_if(modes.begin(), modes.end(), [](const RodMode& m) {
+            return m.kind == RodMode::Kind::axial;
+        });
+        ASSERT_NE(axial, modes.end()) << e;
+        const double w = M_PI / 100 * std::sqrt(slope);
+        EXPECT_NEAR(std::sqrt(axial->omega_squared), w, 1e-4 * w) << e;  // mesh of 20, fourth order
+    }
+}
+
+TEST(TensionTable, WithoutADamperGivesBackWhatItStored) {  // R:41, over whole cycles across a kink
+    Case input = tabulated(moving(fixed_at({102.5, 0, 0}), {2, 0, 0}, 4 * M_PI));
+    input.line_types[0].damping_ratio = 0.0;
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    double work = 0.0, flow = 0.0, T_before = rod.tension_a(0), x_before = 102.5;
+    const double period = 4 * M_PI;
+    ASSERT_TRUE(run(rod, 3 * period, period / 200, [&](double t) {
+                    const double x = rod.node_position(0, 0).x(), T = rod.tension_a(0);
+                    if (t > period * (1 + 1e-9)) {
+                        work += 0.5 * (T + T_before) * (x - x_before);
+                        flow += 0.5 * (T + T_before) * std::abs(x - x_before);
+                    }
+                    T_before = T, x_before = x;
+                }).ok());
+    EXPECT_GT(flow, 1e6);
+    EXPECT_NEAR(work, 0.0, 1e-3 * flow);  // trapezoids across the kinks
 }
 
 TEST(TensionTable, ItsStrainSolvesTheSpringAndDamper) {

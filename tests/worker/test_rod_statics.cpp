@@ -169,15 +169,44 @@ TEST(RodStatics, EndMomentClosesTheRodToACircle) {  // validation row A5, 16 ele
     EXPECT_NEAR(rod.force_on_support_a(0).norm(), 0, 0.01 * EI / radius / radius);
 }
 
-TEST(RodStatics, RefusesTheCompressedStraightRod) {
-    // Newton converges to the straight rod squeezed by 15 %: an equilibrium nobody wants
+TEST(RodStatics, LeavesTheCompressedStraightRodForTheHangingOne) {
+    // Newton converges to the straight rod squeezed by 15 %: an equilibrium nobody wants. The
+    // catenary of 100 m over 85 m is 23.17 m deep: c (cosh x - 1), x = 42.5/c, sinh(x)/x = 100/85.
     Case input =
         one_line(plain_type(10, 1e8), 100, 10, fixed_at({0, 0, -50}), fixed_at({85, 0, -50}));
     input.environment.water.gravity = 1e-9;
     const Sea sea = still_sea(input);
     RodPack<Quad> rod(input, sea, {0});
     rod.set_guess(0, straight({0, 0, -50}, {1, 0, 0}, 85, 10, -1.5e7));
-    EXPECT_EQ(rod.equilibrium({}, false).code, Status::Code::false_equilibrium);
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    EXPECT_NEAR(rod.node_position(0, 5).z(), -50 - 23.17, 0.05);  // mesh of 10
+    EXPECT_GT(rod.tension_a(0), 0.0);
+}
+
+TEST(RodStatics, StandsCompressionUpToItsEulerLoad) {
+    // pinned at both ends, weightless: straight below pi^2 EI/L^2, bent beyond it
+    const double L = 100, EI = 1e7, EA = 1e8, euler = M_PI * M_PI * EI / L / L;
+    for (const double part : {0.5, 0.9, 1.5}) {
+        Case input = one_line(plain_type(10, EA, EI), L, 10, fixed_at({0, 0, -50}),
+                              fixed_at({L * (1 - part * euler / EA), 0, -50}));
+        input.environment.water.gravity = 1e-9;
+        input.environment.water.density = 0.0;
+        const Sea sea = still_sea(input);
+        RodPack<Quad> rod(input, sea, {0});
+        rod.set_guess(
+            0, straight({0, 0, -50}, {1, 0, 0}, L * (1 - part * euler / EA), 10, -part * euler));
+        const Status status = rod.equilibrium({}, false);
+        const double bow = std::abs(rod.node_position(0, 5).z() + 50);
+        if (part < 1.0) {
+            ASSERT_TRUE(status.ok()) << part;
+            EXPECT_NEAR(rod.tension_a(0), -part * euler, 1e-3 * euler) << part;
+            EXPECT_LT(bow, 1e-6) << part;
+        } else if (status.ok()) {  // whatever is given out, the straight rod is not
+            EXPECT_GT(bow, 0.1);
+        } else {
+            EXPECT_EQ(status.code, Status::Code::false_equilibrium);
+        }
+    }
 }
 
 }  // namespace

@@ -118,6 +118,40 @@ TEST(LightLine, LiesDownInTheStream) {
     }
 }
 
+/// A pipe held at its top and at a point of the hull, with some length to spare between the two;
+/// below it hangs to the bed.
+Case tied_off(const Vec3& top, const Vec3& tie, double spare) {
+    LineType pipe = plain_type(200, 3.9e9, 2e7);
+    pipe.displaced_area = 0.07, pipe.outer_diameter = 0.3;
+    LineEnd a;
+    a.kind = EndKind::platform;
+    a.position = top;
+    const double above = (tie - top).norm() + spare;
+    Case input = one_line(pipe, above + 550, 160, a, anchored_at({400, 0, -300}), 300);
+    LineConstraint joint;
+    joint.type = ConstraintType::ball_joint;
+    joint.name = "tie";
+    joint.position = tie;
+    joint.arc_length = above;
+    input.lines[0].constraints = {joint};
+    return input;
+}
+
+TEST(TieOff, HoldsALineThatHasLengthToSpareAboveIt) {
+    for (const Vec3& tie : {Vec3(12, 0, -55), Vec3(32, 0, -5)})  // below the top, beside it
+        for (const double spare : {0.0, 0.01, 0.1, 0.3, 1.0, 2.0}) {
+            const Case input = tied_off({12, 0, -5}, tie, spare);
+            const Sea sea = still_sea(input);
+            RodPack<Quad> rod(input, sea, {0});
+            ASSERT_TRUE(rod.equilibrium({}, false).ok()) << tie.transpose() << " " << spare;
+            EXPECT_LT(rod.constraint_opening(0, 0), 0.01) << spare;
+            // no longer does the top alone carry the line below: 255 m of its weight
+            if (spare >= 0.3) {
+                EXPECT_GT(rod.constraint_magnitude(0, 0), 0.5 * 255 * 1258) << spare;
+            }
+        }
+}
+
 TEST(CatenaryRiser, WithEightHundredMetresOnTheBedFollowsItsPlatform) {
     const Case input = catenary_riser();
     const Sea sea = still_sea(input);

@@ -222,13 +222,14 @@ auto RodPack<V>::false_equilibria() const -> Mask {
     // Newton finds any equilibrium. Accept it only if the rod is in tension or stands the
     // compression, does not fold inside an element, and is neither stretched nor squeezed beyond
     // reason.
-    Mask bad = LaneTraits<V>::none(), squeezed = LaneTraits<V>::none();
+    Mask bad = LaneTraits<V>::none(), squeezed = bad, crushed = bad;
     const std::vector<TrialNode<V>>& node = trial_;
     V strongest(0.0);
     for (std::size_t i = 0; i < lambda_.size(); ++i) strongest = max(strongest, abs(lambda_[i]));
     for (std::size_t n = 0; n < trial_.size(); ++n) {
         const V d2 = dot(node[n].d, node[n].d);
         bad = bad | (d2 < V(0.9 * 0.9)) | (d2 > V(1.2 * 1.2));
+        crushed = crushed | (d2 < V(0.99 * 0.99));  // no material stands that
         if (n + 1 < trial_.size()) bad = bad | (dot(node[n].d, node[n + 1].d) <= V(0.0));
     }
     for (std::size_t e = 0; e < properties_.size(); ++e) {
@@ -259,7 +260,7 @@ auto RodPack<V>::false_equilibria() const -> Mask {
         count(inverse_d, 7);
     }
     const Mask unstable = negative > V(static_cast<double>(trial_.size()));
-    return (bad | (squeezed & unstable)) & used_;
+    return (bad | (squeezed & (unstable | crushed))) & used_;
 }
 
 template <class V>

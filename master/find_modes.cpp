@@ -1,6 +1,5 @@
 // `hawser modes`: natural modes of every line and of the platform with its lines. One process.
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <memory>
@@ -10,6 +9,7 @@
 #include "equilibrium.hpp"
 #include "failure_message.hpp"
 #include "io/hydro_file.hpp"
+#include "line_selection.hpp"
 #include "modes_report.hpp"
 #include "packing.hpp"
 #include "static_start.hpp"
@@ -19,6 +19,7 @@ namespace hawser {
 ModesReport find_modes(const Case& input, const ModesRequest& request) {
     using namespace master;
     ModesReport report;
+    const std::vector<int> wanted = lines_called(request.lines, input);
     const auto describe = [&](const Status& s, const PlatformMotion& pose) {
         return failure_message(s, input, 0, pose);
     };
@@ -42,17 +43,13 @@ ModesReport find_modes(const Case& input, const ModesRequest& request) {
     for (const std::vector<int>& bundle : bundles_of(input))
         if (bundle.size() > 1) tied.insert(tied.end(), bundle.begin(), bundle.end());
     std::sort(tied.begin(), tied.end());
-    bool matched = false;
     const int count = request.count > 0 ? request.count : input.analysis.modes;
-    for (int i = 0; i < static_cast<int>(input.lines.size()); ++i) {
-        const std::string& name = input.lines[static_cast<std::size_t>(i)].name;
-        if (fnmatch(request.lines.c_str(), name.c_str(), 0) != 0) continue;
-        matched = true;
+    for (const int i : wanted) {
         if (std::binary_search(tied.begin(), tied.end(), i))
             report.warnings.push_back(
                 fmt::format("{} is tied to another line: modes of such lines are not available in "
                             "this version",
-                            name));
+                            input.lines[static_cast<std::size_t>(i)].name));
         else
             report.lines.push_back(
                 {.line = i,
@@ -60,9 +57,6 @@ ModesReport find_modes(const Case& input, const ModesRequest& request) {
                  .position = std::move(rest[static_cast<std::size_t>(i)].position),
                  .arc_length = std::move(rest[static_cast<std::size_t>(i)].arc_length)});
     }
-    if (!matched && !input.lines.empty())
-        throw RunError(ExitCode::input, fmt::format("no line is called \"{}\"; the first is \"{}\"",
-                                                    request.lines, input.lines.front().name));
     return report;
 }
 

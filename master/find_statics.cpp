@@ -9,6 +9,7 @@
 #include "equilibrium.hpp"
 #include "failure_message.hpp"
 #include "io/hydro_file.hpp"
+#include "line_selection.hpp"
 #include "offset_curve.hpp"
 #include "paper_rate.hpp"
 #include "stability.hpp"
@@ -48,6 +49,7 @@ Case without_lines(const Case& input, const std::string& glob) {
 StaticsReport find_statics(const Case& input, const StaticsRequest& request) {
     using namespace master;
     StaticsReport report;
+    if (!request.offsets.empty()) lines_called(request.lines, input);  // a wrong name at once
     const auto describe = [&](const Status& s, const PlatformMotion& pose) {
         return failure_message(s, input, 0, pose);
     };

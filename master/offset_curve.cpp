@@ -1,12 +1,12 @@
 #include "offset_curve.hpp"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
+#include "line_selection.hpp"
 #include "pose.hpp"
 #include "static_start.hpp"
 
@@ -74,14 +74,7 @@ OffsetPoint point_of(const OffsetCurve& curve, const Axes& axes, double offset,
 OffsetCurve empty_curve(const Case& input, const StaticsRequest& request) {
     OffsetCurve curve;
     curve.heading = request.heading;
-    for (int i = 0; i < static_cast<int>(input.lines.size()); ++i)
-        if (fnmatch(request.lines.c_str(), input.lines[static_cast<std::size_t>(i)].name.c_str(),
-                    0) == 0)
-            curve.lines.push_back(i);
-    if (curve.lines.empty())
-        throw RunError(ExitCode::input,
-                       fmt::format("no line is called \"{}\"; the first is \"{}\"", request.lines,
-                                   input.lines.empty() ? "" : input.lines.front().name));
+    curve.lines = lines_called(request.lines, input);
     const bool all = curve.lines.size() == input.lines.size();
     curve.free = request.free.value_or(FreeMotions{.heave = all});
     return curve;

@@ -75,25 +75,29 @@ void add_statics(CLI::App& app, Options& options, CommandLine& line) {
         "Find the equilibrium that starts a run: where the platform rests, its stiffness and "
         "stability, tensions and angles of every line. With --offset also the restoring curve.");
     add_case(statics, options);
-    statics
-        .add_option("--offset", options.offset,
-                    "Restoring curve: bring the platform to these offsets, FROM:TO:STEP or a list "
-                    "of metres, in still water")
-        ->type_name("0:60:5");
+    CLI::Option* offset =
+        statics
+            .add_option("--offset", options.offset,
+                        "Restoring curve: bring the platform to these offsets, FROM:TO:STEP or a "
+                        "list of metres, in still water")
+            ->type_name("0:60:5");
     statics
         .add_option(
             "--free", options.free,
             "What settles at each offset, the rest is held as designed: some of transverse, "
             "heave, roll, pitch, yaw; all; none (default heave; with --lines none)")
-        ->type_name("LIST");
+        ->type_name("LIST")
+        ->needs(offset);
     statics
         .add_option("--heading", options.heading,
                     "Direction of the offsets, counter-clockwise from +x (default 0)")
-        ->type_name("DEG");
+        ->type_name("DEG")
+        ->needs(offset);
     statics
         .add_option("--lines", line.statics.lines,
                     "Lines that the curve sums, e.g. \"ml*\" (default all)")
-        ->type_name("GLOB");
+        ->type_name("GLOB")
+        ->needs(offset);
     statics
         .add_option("--without", line.without,
                     "Lines that are gone, e.g. ml3: the damaged condition. A mass of auto stays "

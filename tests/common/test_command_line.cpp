@@ -48,12 +48,16 @@ TEST(CommandLine, OtherCommandsTakeTheirs) {
     EXPECT_DOUBLE_EQ(statics.statics.heading, M_PI / 2);
     EXPECT_EQ(statics.statics.lines, "ml*");
     EXPECT_FALSE(statics.statics.free);
-    const auto free = parse({"statics", "a.yml", "--free", "heave,pitch"}).statics.free;
+    const auto free =
+        parse({"statics", "a.yml", "--offset", "5", "--free", "heave,pitch"}).statics.free;
     ASSERT_TRUE(free);
     EXPECT_TRUE(free->heave && free->pitch && !free->roll && !free->yaw && !free->transverse);
-    EXPECT_FALSE(parse({"statics", "a.yml", "--free", "none"}).statics.free->any());
-    EXPECT_TRUE(parse({"statics", "a.yml", "--free", "all"}).statics.free->transverse);
-    EXPECT_EQ(parse({"statics", "a.yml", "--free", "surge"}).finished, ExitCode::command_line);
+    EXPECT_FALSE(
+        parse({"statics", "a.yml", "--offset", "5", "--free", "none"}).statics.free->any());
+    EXPECT_TRUE(
+        parse({"statics", "a.yml", "--offset", "5", "--free", "all"}).statics.free->transverse);
+    EXPECT_EQ(parse({"statics", "a.yml", "--offset", "5", "--free", "surge"}).finished,
+              ExitCode::command_line);
     EXPECT_EQ(parse({"statics", "a.yml", "--offset", "-5,0,5"}).statics.offsets,
               (std::vector<double>{-5, 0, 5}));
     EXPECT_TRUE(parse({"check", "a.yml", "--statics"}).with_statics);
@@ -79,6 +83,9 @@ TEST(CommandLine, WrongOnesEndWithCodeTwo) {
         {"statics", "a.yml", "--offset", "0:10"},
         {"statics", "a.yml", "--offset", "0:10:-1"},
         {"statics", "a.yml", "--offset", "five"},
+        {"statics", "a.yml", "--heading", "90"},  // of the offset
+        {"statics", "a.yml", "--free", "heave"},
+        {"statics", "a.yml", "--lines", "ml*"},
         {"modes", "a.yml", "--count", "0"},
     };
     for (const auto& words : wrong) {

@@ -88,6 +88,15 @@ class RestoringCurve(unittest.TestCase):
         said = hawser("statics", SPAR, "--offset", "0,10", "--lines", "ml*").stdout
         self.assertIn("held as designed: transverse, heave, roll, pitch, yaw", said)
 
+    def test_refuses_a_wrong_line_before_anything_is_computed(self):
+        """The case has no equilibrium (code 4): only the name is told."""
+        sunk = ("--set", "platform.mass=9e9 kg")
+        self.assertEqual(hawser("statics", SPAR, *sunk).returncode, 4)
+        for command in (("statics", "--offset", "5", "--lines", "cable*"), ("modes", "--line", "cable*")):
+            done = hawser(command[0], SPAR, *command[1:], *sunk)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn('no line is called "cable*"', done.stderr)
+
     def test_wants_a_platform(self):
         done = hawser("statics", CHAIN, "--offset", "0,1")
         self.assertEqual(done.returncode, 3)
@@ -181,6 +190,7 @@ class Modes(unittest.TestCase):
         modes = {mode["name"]: mode for mode in self.modes(HEAVE)["coupled"]}
         self.assertAlmostEqual(modes["heave"]["period"], 24.06, delta=0.05)
         self.assertNotIn("period", modes["surge"])
+        self.assertEqual(modes["surge"]["without_period"], "not held")
         self.assertIn("not held", hawser("modes", HEAVE).stdout)
 
     def test_agree_with_statics_and_with_the_worked_example(self):

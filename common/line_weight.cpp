@@ -24,4 +24,13 @@ double submerged_weight(const Line& line, const Case& input, double from_arc_len
     return mass * water.gravity;
 }
 
+double greatest_stretch(const Line& line, const Case& input) {
+    double sum = 0.0;
+    for (const Section& s : line.sections) {
+        const std::string& kind = input.line_types[static_cast<std::size_t>(s.type)].category;
+        sum += s.length * (kind == "rope" || kind == "general" ? 0.03 : 0.003);
+    }
+    return sum;
+}
+
 }  // namespace hawser

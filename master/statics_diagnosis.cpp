@@ -21,12 +21,6 @@ Vec3 place_of(const LineEnd& end, const PlatformMotion& pose) {
     return pose.position + rotation(pose.angles) * end.position;
 }
 
-double bed_height(const Seabed& bed, const Vec3& at) {
-    const double along =
-        at.x() * std::cos(bed.slope_direction) + at.y() * std::sin(bed.slope_direction);
-    return -bed.depth + std::tan(bed.slope_angle) * along;
-}
-
 double static_stiffness(const LineType& type) {
     return type.viscoelastic ? type.viscoelastic->EA_static : type.EA;
 }
@@ -41,7 +35,9 @@ std::optional<std::string> unreasonable_stiffness(const Line& line, const Case& 
         const double EA = static_stiffness(type);
         if (EA < 2.0 * weight)
             return fmt::format(
-                "EA = {:.3g} N of {}: the line's own weight of {:.3g} N would stretch it by half",
+                "EA = {:.3g} N of {}: under the line's own weight of {:.3g} N the strain at its "
+                "top "
+                "would be a half",
                 EA, type.name, weight);
         if (EA > 1e10 * weight)  // the stretch is lost in the rounding of positions
             return fmt::format("EA = {:.3g} N of {}, {:.0e} times the line's weight", EA, type.name,
@@ -63,16 +59,22 @@ double longest_element(const Line& line) {
 }
 
 std::optional<std::string> weak_tensioner(const Line& line, const Case& input) {
+    std::string names;
+    double pull = 0.0, from = 0.0;
+    int count = 0;
     for (const LineConstraint& c : line.constraints) {
         if (c.type != ConstraintType::tensioner) continue;
-        const double weight = submerged_weight(line, input, c.arc_length.value_or(0.0));
-        if (c.nominal_tension <= weight)
-            return fmt::format(
-                "{} pulls with {:.4g} kN at stroke 0, the riser below it weighs {:.4g} kN in "
-                "water: it would stand in compression at its foot",
-                c.name, c.nominal_tension / 1e3, weight / 1e3);
+        const double arc = c.arc_length.value_or(0.0);
+        from = count++ > 0 ? std::min(from, arc) : arc;
+        names += (names.empty() ? "" : " and ") + c.name;
+        pull += c.nominal_tension;
     }
-    return std::nullopt;
+    const double weight = submerged_weight(line, input, from);
+    if (count == 0 || pull > weight) return std::nullopt;
+    return fmt::format(
+        "{} {} with {:.4g} kN at stroke 0, the riser below weighs {:.4g} kN in "
+        "water: it would stand in compression at its foot",
+        names, count > 1 ? "pull together" : "pulls", pull / 1e3, weight / 1e3);
 }
 
 std::optional<std::string> floating_part(const Line& line, const Case& input) {
@@ -101,17 +103,20 @@ std::string static_failure_cause(const Line& line, const Case& input, const Plat
     const bool ends_held = stands(line.end_a) && stands(line.end_b);
     for (const auto& [end, at, name] :
          {std::tuple(&line.end_a, a, "A"), std::tuple(&line.end_b, b, "B")}) {
-        const double below = bed_height(input.environment.seabed, at) - at.z();
+        const double below = input.environment.seabed.height(at.x(), at.y()) - at.z();
         if (stands(*end) && below > 0.5)
             return fmt::format("end {} lies {:.4g} m below the seabed", name, below);
     }
     if (ends_held) {
         const double chord = (a - b).norm();
-        if (chord > length) {
-            double compliance = 0.0;
-            for (const Section& s : line.sections)
-                compliance += s.length / static_stiffness(type_of(s, input));
-            const double tension = (chord - length) / compliance;
+        double compliance = 0.0, breaks = HUGE_VAL;
+        for (const Section& s : line.sections) {
+            compliance += s.length / static_stiffness(type_of(s, input));
+            breaks = std::min(breaks, type_of(s, input).breaking_load.value_or(HUGE_VAL));
+        }
+        const double tension = (chord - length) / compliance;
+        // a taut line is always shorter than its chord
+        if (chord > length + greatest_stretch(line, input) || tension > breaks) {
             return fmt::format(
                 "anchor out of reach: the ends are {:.5g} m apart and the line is {:.5g} m long; "
                 "to stretch so far takes {:.3g} kN",
@@ -125,7 +130,7 @@ std::string static_failure_cause(const Line& line, const Case& input, const Plat
         const double across = std::hypot(span.x(), span.y()), down = std::abs(span.z());
         const Vec3& lower = a.z() < b.z() ? a : b;
         const double hangs = lower.z() - 0.5 * (length - down);  // a loop without width
-        const bool clear = hangs > bed_height(input.environment.seabed, lower);
+        const bool clear = hangs > input.environment.seabed.height(lower.x(), lower.y());
         if (length > across + down && clear)
             return fmt::format(
                 "it hangs in a loop {:.4g} m deep between ends {:.4g} m apart: at its bottom it "

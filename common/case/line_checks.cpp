@@ -82,14 +82,7 @@ class LineChecks {
     double bed(const Vec3& r) const { return case_.environment.seabed.height(r.x(), r.y()); }
 
     /// What it could stretch to before it breaks [m].
-    double stretch() const {
-        double sum = 0.0;
-        for (const Section& s : line_.sections) {
-            const std::string& kind = type(s.type).category;
-            sum += s.length * (kind == "rope" || kind == "general" ? 0.03 : 0.003);
-        }
-        return sum;
-    }
+    double stretch() const { return greatest_stretch(line_, case_); }
 
     /// At a place that the case gives.
     static bool stands(const LineEnd& end) {

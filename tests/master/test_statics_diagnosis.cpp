@@ -45,6 +45,20 @@ TEST(StaticFailure, SaysThatTheAnchorIsOutOfReach) {
     EXPECT_THAT(cause(moored()), testing::Not(HasSubstr("reach: ")));
 }
 
+TEST(StaticFailure, OfATautLineIsNotItsReach) {
+    // A tendon is always shorter than the distance it spans: 2.8 m of 280 m would be out of reach.
+    Case c = moored();
+    c.lines[0].end_b = {.kind = EndKind::anchor, .position = {0, 0, -300}};
+    c.lines[0].sections[0].length = 279.7;
+    EXPECT_THAT(cause(c), testing::Not(HasSubstr("reach: ")));
+    c.line_types[0].breaking_load = 500e3;  // 0.3/279.7 of 5e8 N are 536 kN
+    EXPECT_THAT(cause(c), HasSubstr("anchor out of reach"));
+    c = moored();
+    c.lines[0].end_b = {.kind = EndKind::anchor, .position = {0, 0, -300}};
+    c.lines[0].sections[0].length = 277.2;
+    EXPECT_THAT(cause(c), HasSubstr("anchor out of reach"));
+}
+
 TEST(StaticFailure, SaysThatTheLineLiesSlack) {
     Case c = moored();
     c.lines[0].sections[0].length = 740.0;  // 450 across and 280 down are 730
@@ -76,10 +90,17 @@ TEST(StaticFailure, SaysThatATensionerIsWeakerThanTheRiserIsHeavy) {
     tensioner.arc_length = 0.0;
     tensioner.nominal_tension = 200e3;  // 320 m of 853 N/m are 273 kN
     riser.constraints = {tensioner};
-    EXPECT_THAT(cause(c), HasSubstr("ram pulls with 200 kN at stroke 0, the riser below it weighs "
+    EXPECT_THAT(cause(c), HasSubstr("ram pulls with 200 kN at stroke 0, the riser below weighs "
                                     "273"));
     riser.constraints[0].nominal_tension = 400e3;
     EXPECT_THAT(cause(c), testing::Not(HasSubstr("ram")));
+    // two carry it together
+    riser.constraints[0].nominal_tension = 150e3;
+    riser.constraints.push_back(tensioner);
+    riser.constraints[1].name = "ring";
+    EXPECT_THAT(cause(c), testing::Not(HasSubstr("ram")));
+    riser.constraints[1].nominal_tension = 100e3;
+    EXPECT_THAT(cause(c), HasSubstr("ram and ring pull together with 250 kN"));
 }
 
 TEST(StaticFailure, SaysThatAStiffnessIsOutOfReason) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <numeric>
 
 #include "io/result_fields.hpp"
@@ -39,10 +41,43 @@ std::string names_of(const Case& input, const std::vector<int>& lines) {
     return text;
 }
 
-std::string steps_of_a_pass(const Case& input, double H) {
-    const double h = input.analysis.dynamics.line_step;
+std::string steps_of_a_pass(double h, double H) {
     const int n = static_cast<int>(std::ceil(H / h - 1e-9));
     return fmt::format("{} of {:.5g} s", n, H / n);
+}
+
+/// Steps of the dynamic lines in the passes of a platform step, by families of the same step; of
+/// lines tied to each other the shortest.
+std::string line_steps(const Case& input) {
+    const Dynamics& dynamics = input.analysis.dynamics;
+    std::map<double, std::string, std::greater<>> families;  // by step
+    bool still = false;
+    for (const std::vector<int>& bundle : bundles_of(input)) {
+        double h = dynamics.line_step;
+        for (const int i : bundle)
+            h = std::min(h, input.lines[static_cast<std::size_t>(i)].time_step.value_or(h));
+        for (const int i : bundle) {
+            const Line& line = input.lines[static_cast<std::size_t>(i)];
+            if (line.model.value_or(dynamics.line_model) != LineModel::dynamic) {
+                still = true;
+                continue;
+            }
+            std::string& names = families[h];
+            if (!names.ends_with(line.family))  // lines of a family follow each other
+                names += (names.empty() ? "" : ", ") + line.family;
+        }
+    }
+    const double D = dynamics.platform_step;
+    std::string text;
+    for (const auto& [h, names] : families) {
+        text += "\nsteps of a line";
+        if (families.size() > 1 || still) text += " (" + names + ")";
+        text += input.platform ? fmt::format(" in a pass: {} and {}", steps_of_a_pass(h, D / 2),
+                                             steps_of_a_pass(h, D))
+                               : ": " + steps_of_a_pass(h, D);
+    }
+    if (still) text += "\nlines without dynamics: one solution a pass";
+    return text;
 }
 
 }  // namespace
@@ -63,12 +98,7 @@ std::string dry_run(const Case& input, int ranks) {
     text += fmt::format("{} steps of {:.5g} s to t = {:.5g} s",
                         static_cast<long>(std::ceil(dynamics.duration / D - 1e-9)), D,
                         dynamics.duration);
-    if (!input.lines.empty())
-        text += input.platform
-                    ? fmt::format("; steps of a line in a pass: {} and {}",
-                                  steps_of_a_pass(input, D / 2), steps_of_a_pass(input, D))
-                    : "; steps of a line: " + steps_of_a_pass(input, D);
-    text += "\n\nallocation\n";
+    text += line_steps(input) + "\n\nallocation\n";
     std::vector<int> busiest(packs.size());
     std::iota(busiest.begin(), busiest.end(), 0);
     if (ranks == 1) {

@@ -151,6 +151,13 @@ class ExitCodes(Run):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stdout.count("rank 2:"), 1)
 
+    def test_dry_run_tells_the_steps_of_each_line(self):
+        done = hawser("run", SPAR, "--dry-run", "--set", "lines.ttr.time_step=10 ms",
+                      "--set", "lines.mooring.model=quasi_static")
+        self.assertIn("steps of a line (ttr) in a pass: 25 of 0.01 s and 50 of 0.01 s", done.stdout)
+        self.assertIn("in a pass: 13 of 0.019231 s and 25 of 0.02 s", done.stdout)
+        self.assertIn("lines without dynamics: one solution a pass", done.stdout)
+
 
 class Stopping(Run):
     def test_a_file_named_stop_ends_with_seven(self):

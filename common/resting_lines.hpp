@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "case/case.hpp"
@@ -48,14 +49,26 @@ struct LineAtRest {
 /// A natural mode of a rod about its static solution, ends held, undamped.
 struct RodMode {
     enum class Kind { axial, in_plane, out_of_plane };
-    double omega_squared = 0.0;  ///< [rad2/s2]; not above zero: nothing holds the rod that way
+    double omega_squared = 0.0;  ///< [rad2/s2]; about zero: nothing holds the rod that way;
+                                 ///< below: it buckles
     Kind kind = Kind::in_plane;  ///< the greatest of the shares
     double axial = 0.0, in_plane = 0.0, out_of_plane = 0.0;  ///< shares of the energy, sum 1
-    std::vector<Vec3> shape;               ///< displacement of the nodes from end A, largest 1
-    [[nodiscard]] double period() const {  ///< [s]; infinite without stiffness
-        return omega_squared > 0.0 ? 2.0 * M_PI / std::sqrt(omega_squared) : INFINITY;
+    std::vector<Vec3> shape;                  ///< displacement of the nodes from end A, largest 1
+    static constexpr double nothing = 1e-10;  ///< what rounding leaves of omega_squared
+    [[nodiscard]] std::optional<double> period() const {  ///< [s]
+        if (omega_squared > nothing) return 2.0 * M_PI / std::sqrt(omega_squared);
+        return std::nullopt;
     }
 };
+
+/// Horizontal unit vector of the vertical plane through a line's ends, from end A to end B; of a
+/// line straight down that of its azimuth. Modes are in or out of this plane.
+[[nodiscard]] inline Vec3 plane_of(const Line& line, const Vec3& end_a, const Vec3& end_b) {
+    const Vec3 across(end_b.x() - end_a.x(), end_b.y() - end_a.y(), 0.0);
+    if (across.norm() < 1e-6 * line.length())
+        return {std::cos(line.azimuth), std::sin(line.azimuth), 0.0};
+    return across.normalized();
+}
 
 /// All lines of a case in this process. at_rest() tells of the last order `equilibrium`.
 class RestingLines : public Lines {

@@ -123,7 +123,10 @@ std::array<CoupledMode, 6> coupled_modes(const Mat6& platform, const Mat6& M,
         out[j] = described(found[i], K);
         out[j].motion = motion;
         out[j].share = share;
-        out[j].shape /= out[j].shape[motion];
+        // What is left for the last names may hardly move that way: then of its greatest part
+        int main = motion;
+        if (share < 1e-9) found[i].x.cwiseProduct(Vec6(M * found[i].x)).maxCoeff(&main);
+        out[j].shape /= out[j].shape[main];
     }
     return out;
 }

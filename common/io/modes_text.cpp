@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "io/json.hpp"
 #include "io/text_table.hpp"
@@ -22,8 +23,12 @@ std::string name_of(const CoupledMode& mode) {
     return motion_names[static_cast<std::size_t>(mode.motion)];
 }
 
+/// Of a mode without period: held by nothing, or pushed further the further it goes.
 std::string why_none(const CoupledMode& mode) {
     return mode.omega_squared < 0.0 ? "unstable" : "not held";
+}
+std::string why_none(const RodMode& mode) {
+    return mode.omega_squared < -RodMode::nothing ? "unstable" : "not held";
 }
 
 /// The six parts with rotations in degrees per metre or per degree of the main motion.
@@ -76,12 +81,12 @@ std::string line_text(const Case& input, const LineModes& line) {
     table.column("largest at", "m");
     int n = 0;
     for (const RodMode& mode : line.modes) {
-        const bool held = mode.omega_squared > 1e-10;
+        const std::optional<double> period = mode.period();
         std::size_t widest = 0;
         for (std::size_t i = 0; i < mode.shape.size(); ++i)
             if (mode.shape[i].norm() > mode.shape[widest].norm() + 1e-9) widest = i;
-        table.row({std::to_string(++n), held ? number(mode.period(), 3) : "not held",
-                   held ? digits(1.0 / mode.period(), 4) : "-", name_of(mode.kind),
+        table.row({std::to_string(++n), period ? number(*period, 3) : why_none(mode),
+                   period ? digits(1.0 / *period, 4) : "-", name_of(mode.kind),
                    number(100.0 * mode.axial, 1), number(100.0 * mode.in_plane, 1),
                    number(100.0 * mode.out_of_plane, 1), number(line.arc_length.at(widest), 0)});
     }
@@ -110,7 +115,10 @@ std::string modes_json(const Case& input, const ModesReport& report) {
         for (const CoupledMode& mode : *report.coupled) {
             Json one = Json::object(), shape = Json::object();
             one.put("name", name_of(mode));
-            if (mode.period()) one.put("period", *mode.period());
+            if (mode.period())
+                one.put("period", *mode.period());
+            else
+                one.put("without_period", why_none(mode));
             for (std::size_t i = 0; i < 6; ++i)
                 shape.put(motion_names[i], mode.shape[static_cast<Eigen::Index>(i)]);
             one.put("shape", std::move(shape))
@@ -123,20 +131,24 @@ std::string modes_json(const Case& input, const ModesReport& report) {
         out.put("platform", report.platform).put("coupled", std::move(modes));
     }
     Json lines = Json::array();
-    const auto points = [](const std::vector<Vec3>& at) {
+    const auto point = [](const Vec3& x) {
+        Json three = Json::array();
+        three.add(x.x()).add(x.y()).add(x.z());
+        return three;
+    };
+    const auto points = [&point](const std::vector<Vec3>& at) {
         Json list = Json::array();
-        for (const Vec3& x : at) {
-            Json point = Json::array();
-            point.add(x.x()).add(x.y()).add(x.z());
-            list.add(std::move(point));
-        }
+        for (const Vec3& x : at) list.add(point(x));
         return list;
     };
     for (const LineModes& line : report.lines) {
         Json modes = Json::array(), arc = Json::array();
         for (const RodMode& mode : line.modes) {
             Json one = Json::object();
-            if (mode.omega_squared > 0.0) one.put("period", mode.period());
+            if (mode.period())
+                one.put("period", *mode.period());
+            else
+                one.put("without_period", why_none(mode));
             one.put("kind", name_of(mode.kind))
                 .put("axial", mode.axial)
                 .put("in_plane", mode.in_plane)
@@ -146,7 +158,9 @@ std::string modes_json(const Case& input, const ModesReport& report) {
         }
         for (const double s : line.arc_length) arc.add(s);
         Json one = Json::object();
-        one.put("name", input.lines[static_cast<std::size_t>(line.line)].name)
+        const Line& its = input.lines[static_cast<std::size_t>(line.line)];
+        one.put("name", its.name)
+            .put("plane", point(plane_of(its, line.position.front(), line.position.back())))
             .put("arc_length", std::move(arc))
             .put("position", points(line.position))
             .put("modes", std::move(modes));
@@ -167,7 +181,7 @@ std::string modes_csv(const Case& input, const ModesReport& report) {
         for (const RodMode& mode : line.modes)
             out += fmt::format("{},{},{},{},{},{},{}\n",
                                input.lines[static_cast<std::size_t>(line.line)].name, ++n,
-                               mode.omega_squared > 0.0 ? fmt::format("{}", mode.period()) : "",
+                               mode.period() ? fmt::format("{}", *mode.period()) : "",
                                name_of(mode.kind), mode.axial, mode.in_plane, mode.out_of_plane);
     }
     return out;

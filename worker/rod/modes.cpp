@@ -101,11 +101,9 @@ std::vector<RodMode> rod_modes(RodPack<V>& pack, int lane, const Case& input, in
     const auto N = static_cast<std::size_t>(pack.elements());
     const Line& line =
         input.lines[static_cast<std::size_t>(pack.lines()[static_cast<std::size_t>(lane)])];
-    const Vec3 chord = pack.node_position(lane, static_cast<int>(N)) - pack.node_position(lane, 0);
-    Vec3 along(chord.x(), chord.y(), 0.0);
-    if (along.norm() < 1e-6 * line.length())
-        along = {std::cos(line.azimuth), std::sin(line.azimuth), 0.0};
-    const Vec3 normal = Vec3::UnitZ().cross(along.normalized());
+    const Vec3 along =
+        plane_of(line, pack.node_position(lane, 0), pack.node_position(lane, static_cast<int>(N)));
+    const Vec3 normal = Vec3::UnitZ().cross(along);
 
     // Parts of a motion along the rod and out of its plane, slopes with positions: a mode whose
     // half wave is an element stands still at the nodes

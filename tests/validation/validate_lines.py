@@ -23,12 +23,14 @@ import lumped_mass
 
 HAWSER, CASES = sys.argv[1], Path(sys.argv[2])
 REFERENCE = os.environ.get("HAWSER_REFERENCE")
+# worst error of the rows that are explained, of the range, with a twentieth of it to spare
+A16_MISS, A18_MISS = 1.05 * 0.076, 1.05 * 0.040
 good = True
 
 
-def row(label, what, expected, got, tolerance, relative=True, scale=None, explained=False):
+def row(label, what, expected, got, tolerance, relative=True, scale=None, explained=None):
     """`scale`: the error is relative to it instead of the expected value. A row that is `explained` may
-    miss: tests/README.md says why, and rows of the same label show who is right."""
+    miss by that much: tests/README.md says why, and rows of the same label show who is right."""
     global good
     error = got - expected
     if scale:
@@ -36,8 +38,9 @@ def row(label, what, expected, got, tolerance, relative=True, scale=None, explai
     elif relative:
         error /= abs(expected)
     ok = bool(abs(error) <= tolerance)
-    good &= ok or explained
-    verdict = "yes" if ok else "NO, explained" if explained else "NO"
+    known = bool(explained is not None and abs(error) <= explained)
+    good &= ok or known
+    verdict = "yes" if ok else "NO, explained" if known else "NO"
     print(f"{label} | {what} | {expected:.7g} | {got:.7g} | {error:.2g} | {tolerance:.2g} | {verdict}", flush=True)
 
 
@@ -138,7 +141,7 @@ def riser():
     row("A22a", "case file: suspended length [m]", 1658.198, hangs, 2, relative=False)
 
 
-def extremes(label, what, T, least, greatest, tolerance, explained=False):
+def extremes(label, what, T, least, greatest, tolerance, explained=None):
     """Least and greatest of a tension [N] against kN, errors of the range."""
     span = greatest - least
     row(label, f"{what}: least [kN], of range", least, T.min() / 1e3, tolerance, scale=span, explained=explained)
@@ -168,7 +171,7 @@ def chain():
                 row("A16", f"{name}: static tension at the top [kN]", static[0], rod.tension()[0] / 1e3, 1e-2)
                 row("A16", f"{name}: static tension at the anchor [kN]", static[1], rod.tension("b")[0] / 1e3, 1e-2)
             extremes("A16", f"{name}, axial drag on {note}, top", rod.last(10, rod.tension()), least, greatest, 5e-2,
-                     explained=stated)
+                     explained=A16_MISS if stated else None)
             what = f"{name}, axial drag on {note}, top: rms difference over a period [kN], of range"
             other = series("orcaflex_chain", f"{name}.csv")
             if not other:
@@ -182,7 +185,7 @@ def chain():
             at = (other["t_s"][one] - late) % 10
             mine = np.interp(rod.t[-1] - 10 + at, rod.t, rod.tension()) / 1e3
             row("A16", what, 0, math.sqrt(np.mean((mine - other["T_fairlead_kN"][one]) ** 2)), 5e-2,
-                scale=greatest - least, explained=stated)
+                scale=greatest - least, explained=A16_MISS if stated else None)
 
 
 def chain_by_lumped_masses():
@@ -235,7 +238,7 @@ def moved_lines():
                  3e-2)
     rod = Result("a18_line")
     T = rod.last(15.6, rod.tension()) - (rod.tension()[0] - 2884.75e3)
-    extremes("A18", "reference line, 15.6 s", T, 2274.8, 3574.0, 3e-2, explained=True)
+    extremes("A18", "reference line, 15.6 s", T, 2274.8, 3574.0, 3e-2, explained=A18_MISS)
     reference_line_by_lumped_masses(T)
     # extremes of the last period of the series; 2537.2 and 3053.1, elsewhere, are those of its last 15.6 s
     rod = Result("a18_line", parameters__surge="10 m", parameters__heave="0 m", parameters__period="200 s",
@@ -281,10 +284,12 @@ def modes(case, kind, count, **changes):
 
 def natural_periods():
     """A8, A9, A11, A12: closed forms."""
-    for n, (mode, T) in enumerate(zip(modes("a8", "across", 8), (16.6865, 7.2695, 4.6371, 3.4031)), 1):
+    for n, (mode, T) in enumerate(zip(modes("a8", "across", 8), (16.6865, 7.2695, 4.6371, 3.4031), strict=True), 1):
         row("A8", f"hanging chain: period {n} [s]", T, mode["period"], 5e-3)
     T, EI, m, L = 2e6, 46.5e6, 200 * 1500 / 1500.75, 1500.75
-    for n, mode in enumerate(modes("a9", "across", 6), 1):
+    found = modes("a9", "across", 6)
+    assert len(found) == 3, f"{len(found)} modes across of 6"  # in and out of plane
+    for n, mode in enumerate(found, 1):
         f = n / (2 * L) * math.sqrt((T + (n * math.pi / L) ** 2 * EI) / m)
         row("A9", f"beam in tension: frequency {n} [Hz]", f, 1 / mode["period"], 3e-3)
     for l2, W in ((1, 1.04020), (10, 1.34512), (4 * math.pi**2, 2.0), (100, 2.59718)):

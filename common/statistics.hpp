@@ -16,6 +16,10 @@ struct Statistics {
     double tz;     ///< mean period of up-crossings of the mean [s]; NaN with fewer than two
 };
 
+/// Does what happens at t count, from a time on? Times are multiples of steps: a rounding early
+/// is not early.
+[[nodiscard]] inline bool counts(double t, double from) { return t >= from - 1e-9; }
+
 /// Statistics of x over the times t >= from. Values that are not finite are left out.
 ///
 ///     tz = (t_last - t_first) / (crossings - 1)      crossings interpolated linearly

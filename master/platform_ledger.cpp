@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "statistics.hpp"
+
 namespace hawser::master {
 
 namespace {
@@ -32,7 +34,7 @@ PlatformLedger::PlatformLedger(const Case& input)
 
 void PlatformLedger::add(double t, const HullLoads& loads, const Reply& lines, const Vec6& momentum,
                          const Vec3& velocity) {
-    if (t < from_ - 1e-9) return;
+    if (!counts(t, from_)) return;
     std::fill(loads_.begin(), loads_.end(), Vec6::Zero());
     std::size_t k = 0;
     for (int i = 0; i < load_count; ++i)

@@ -71,7 +71,7 @@ ExitCode Simulation::run() {
 void Simulation::coupled() {
     const StaticStart start = static_start(input_, *hull_, lines_);
     for (const std::string& note : start.notes) report_.warn(note);
-    keep_statics(&start.equilibrium, start.lines);
+    keep_statics(&start.equilibrium, start.at_rest);
     keep_platform_facts(start);
     PaperRate<Hull> rate(*hull_, lines_, start.lines);
     clock_.start(waited());

@@ -140,7 +140,7 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
                 platform.name, motion_names[static_cast<std::size_t>(mode.motion)]));
     out.start.position += platform.initial.position;
     out.start.angles += platform.initial.angles;
-    out.lines = std::move(rest.lines);
+    out.at_rest = out.lines = std::move(rest.lines);
     // The lines follow to the offset in steps as short as Newton's.
     const double moves = std::max(platform.initial.position.norm() / limits.longest_step,
                                   platform.initial.angles.norm() / limits.widest_turn);

@@ -18,6 +18,7 @@ namespace hawser::master {
 struct StaticStart {
     PlatformMotion equilibrium;        ///< at rest under the mean loads
     PlatformMotion start;              ///< with `platform.initial` added
+    Reply at_rest;                     ///< static loads at `equilibrium`
     Reply lines;                       ///< static loads at `start`
     Mat6 stiffness = Mat6::Zero();     ///< of platform and lines at the equilibrium, about O
     double vertical_line_load = 0.0;   ///< at the design position in still water, downwards [N]

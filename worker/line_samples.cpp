@@ -5,6 +5,7 @@
 
 #include "io/series_file.hpp"
 #include "line_mesh.hpp"
+#include "statistics.hpp"
 
 namespace hawser::worker {
 
@@ -282,7 +283,7 @@ void LineSamples::watch(const std::vector<Quads>& packs, double t) {
     for (std::size_t p = 0; p < packs.size(); ++p) {
         recoveries_[p].recover(packs[p], angles_);
         watches_[p].add(recoveries_[p], t);
-        if (t < from_) continue;
+        if (!counts(t, from_)) continue;
         for (QuantityRange& range : ranges_[p]) range.add(recoveries_[p], t);
     }
     if (!started_) put_start(packs);

@@ -291,7 +291,9 @@ void add_kept_fields(const Case& input, const std::vector<int>& nodes,
          {"", "m", "Arc length from end A where the line first touches the seabed"}}};
     for (std::size_t k = 0; k < start.size(); ++k)
         add(start_path(start_results[k]), start[k].units,
-            std::string(start[k].description) + ", at the start", {n_lines});
+            std::string(start[k].description) +
+                ", at the start (of a run with platform.initial: moved so)",
+            {n_lines});
 }
 
 }  // namespace

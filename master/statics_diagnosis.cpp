@@ -144,6 +144,30 @@ std::string static_failure_cause(const Line& line, const Case& input, const Plat
                 "move its end B further out",
                 length, across, down, across + down);
     }
+    for (const auto& [free, held, at] :
+         {std::tuple(&line.end_b, &line.end_a, a), std::tuple(&line.end_a, &line.end_b, b)}) {
+        if (free->kind != EndKind::free || !stands(*held)) continue;
+        const double water = at.z() - input.environment.seabed.height(at.x(), at.y());
+        if (length > water)
+            return fmt::format(
+                "one end is free and the line is {:.5g} m long, where the held end is {:.5g} m "
+                "above the bed: nothing says where the rest lies; hold that end or shorten the "
+                "line",
+                length, water);
+    }
+    const double away = pose.position.norm(), turned = pose.angles.norm();
+    if (line.end_a.kind == EndKind::platform || line.end_b.kind == EndKind::platform)
+        if (away > 0.05 * input.environment.seabed.depth || turned > 0.2)
+            return fmt::format(
+                "the platform had gone {:.3g} m and turned {:.3g} deg from its design position: "
+                "look at its balance first, at mass, stiffness and the pull of all lines",
+                away, turned * 180.0 / M_PI);
+    int elements = 0;
+    for (const Section& s : line.sections) elements += s.elements;
+    if (elements < 10)
+        return fmt::format(
+            "{} elements of up to {:.4g} m may not follow how it hangs; give it 20 or more",
+            elements, longest_element(line));
     return "none of reach, weight and stiffness shows it; look at guides and joints, or at "
            "elements "
            "too long for how the line bends";

@@ -65,6 +65,23 @@ TEST(StaticFailure, SaysThatTheLineLiesSlack) {
     EXPECT_THAT(cause(c), HasSubstr("lies slack"));
 }
 
+TEST(StaticFailure, LooksAtFreeEndsThePlatformAndTheMesh) {
+    Case c = moored();
+    c.lines[0].end_b = LineEnd{.kind = EndKind::free};
+    EXPECT_THAT(cause(c), HasSubstr("one end is free and the line is 600 m long, where the held "
+                                    "end is 280 m above the bed"));
+    c.lines[0].sections[0].length = 250.0;
+    EXPECT_THAT(cause(c), HasSubstr("none of reach"));
+    PlatformMotion up;
+    up.position.z() = 16.0;  // a twentieth of the depth is 15 m
+    EXPECT_THAT(cause(moored(), up), HasSubstr("the platform had gone 16 m"));
+    up.position.z() = 14.0;
+    EXPECT_THAT(cause(moored(), up), HasSubstr("none of reach"));
+    c = moored();
+    c.lines[0].sections[0].elements = 4;
+    EXPECT_THAT(cause(c), HasSubstr("4 elements of up to 150 m"));
+}
+
 TEST(StaticFailure, SaysThatTheLineFloats) {
     Case c = moored();
     c.line_types[0].displaced_area = 0.2;

@@ -12,6 +12,8 @@ import sys
 import tempfile
 import unittest
 
+import h5py
+
 HAWSER, SOURCE, MPIEXEC = sys.argv[1:4]
 CASES = pathlib.Path(SOURCE) / "cases"
 HEAVE = str(CASES / "heave_decay.yml")
@@ -96,6 +98,23 @@ class RestoringCurve(unittest.TestCase):
             done = hawser(command[0], SPAR, *command[1:], *sunk)
             self.assertEqual(done.returncode, 3, done.stderr)
             self.assertIn('no line is called "cable*"', done.stderr)
+
+    def test_of_a_run_is_one_pose(self):
+        """platform.initial moves the start, not the equilibrium nor the tensions beside it."""
+        with tempfile.TemporaryDirectory() as folder:
+            done = hawser("run", SPAR, "--out", folder + "/run", "-q", "--duration", "0.5",
+                          "--set", "platform.initial.surge=5 m", "--set", "analysis.dynamics.statistics_from=0 s")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with h5py.File(folder + "/run/result.h5") as file:
+                place = file["statics/platform/spar/position"][:]
+                tension = file["statics/lines/end_a/effective_tension"][:]
+                moved = file["platform/spar/position"][0]
+        report = statics(SPAR)
+        self.assertAlmostEqual(place[0], report["platform"]["position"]["surge"], delta=1e-6)
+        self.assertAlmostEqual(moved[0] - place[0], 5.0, delta=1e-6)
+        for now, line in zip(tension, report["lines"], strict=True):
+            if line["name"].startswith("ml"):
+                self.assertAlmostEqual(now, line["tension_a"], delta=1.0)
 
     def test_wants_a_platform(self):
         done = hawser("statics", CHAIN, "--offset", "0,1")

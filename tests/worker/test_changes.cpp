@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "guided_riser.hpp"
 #include "rod_runs.hpp"
 
 namespace hawser::worker {
@@ -109,6 +110,80 @@ TEST(Failure, AtANodeBothPartsGoOn) {
     EXPECT_LT(std::abs(rod.tension_b(0)), 0.3 * 32 * wet);  // what friction holds, ten times less
     // far apart: nothing joins them
     EXPECT_GT((rod.node_position(0, 7) - rod.node_position(0, 8)).norm(), 60.0);
+}
+
+/// A riser of 210 m in its tensioner, drawn taut, that fails at an arc length after one second.
+Case failing_riser(double arc_length) {
+    Case input = guided_riser(212.0, 0.0);
+    input.environment.seabed.depth = 200;
+    input.lines[0].end_b.position.z() = -190;
+    input.lines[0].sections = {{.type = 0, .length = 211, .elements = 40}};
+    input.lines[0].constraints.resize(2);
+    input.lines[0].constraints[1].position.z() = -20;
+    input.lines[0].fail = LineFailure{.time = 1.0, .arc_length = arc_length};
+    input.analysis.dynamics.line_step = 0.01;
+    return input;
+}
+
+TEST(Failure, AtTheTopOfATensionedRiserFreesItOfItsTensioner) {
+    const Case input = failing_riser(0.0);
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    const double before = rod.tension_a(0);
+    EXPECT_GT(before, 4e6);
+    ASSERT_TRUE(run(rod, 3.0, 0.5, [&](double t) {
+                    if (t < 0.99) {
+                        EXPECT_NEAR(rod.tension_a(0), before, 1e-3 * before) << t;
+                        EXPECT_NEAR(rod.constraint_magnitude(0, 0), before, 1e-3 * before) << t;
+                    } else if (t > 1.01) {
+                        EXPECT_EQ(rod.constraint_magnitude(0, 0), 0.0) << t;
+                        EXPECT_EQ(rod.constraint_force(0, 0).norm(), 0.0) << t;
+                        // what the guide may still hold
+                        const Vec3 guide = rod.constraint_force(0, 1);
+                        EXPECT_LT((rod.pass_wrench(0).head<3>() + guide).norm(), 1.0) << t;
+                        EXPECT_LT(std::abs(rod.tension_a(0)), 1e-3 * before) << t;
+                    }
+                }).ok());
+}
+
+TEST(Failure, AtARingBelowTheTopLetsItsTensionerGoToo) {
+    Case input = failing_riser(10.55);  // two elements down
+    input.lines[0].constraints[0].arc_length = 10.55;
+    input.lines[0].constraints[0].position.z() = 11.45;
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    EXPECT_GT(rod.constraint_magnitude(0, 0), 4e6);
+    ASSERT_TRUE(run(rod, 1.5, 0.5).ok());
+    EXPECT_EQ(rod.constraint_magnitude(0, 0), 0.0);
+}
+
+TEST(Guide, ExertsNothingBeyondTheEndOfTheRod) {
+    // a rod that hangs 5 m above a guide and one that hangs through it
+    Case input = slack_chain();
+    input.line_types[0].EI = 1e6;
+    input.lines[0].end_b = LineEnd{};
+    input.lines[0].end_a.position = {0, 0, -10};
+    input.lines[0].sections = {{.type = 0, .length = 60, .elements = 12}};
+    input.lines[0].constraints = {{.type = ConstraintType::guide,
+                                   .name = "guide",
+                                   .position = {0.5, 0, -75},
+                                   .stiffness = 1e5,
+                                   .damping = 1e3,
+                                   .gap = 0.025}};
+    const Sea sea = still_sea(input);
+    RodPack<Quad> above(input, sea, {0});
+    ASSERT_TRUE(above.equilibrium({}, false).ok());
+    EXPECT_EQ(above.constraint_force(0, 0).norm(), 0.0);
+    EXPECT_EQ(above.constraint_magnitude(0, 0), 0.0);
+    EXPECT_LT(std::abs(above.node_position(0, 12).x()), 1e-9);
+    input.lines[0].constraints[0].position.z() = -65;
+    RodPack<Quad> through(input, sea, {0});
+    ASSERT_TRUE(through.equilibrium({}, false).ok());
+    // a stiff pendulum of 76 kN drawn aside by 0.475 m would push with 0.36 kN
+    EXPECT_GT(through.constraint_force(0, 0).x(), 200.0);
+    EXPECT_LT(through.constraint_force(0, 0).x(), 360.0);
 }
 
 TEST(Failure, IsTheSameInEveryPassAndLeavesNeighboursAlone) {

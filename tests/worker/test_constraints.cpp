@@ -259,6 +259,30 @@ TEST(JointAlongTheRod, StiffnessIsTheDerivativeOfItsLoad) {  // R:21, R:22 for p
     }
 }
 
+TEST(JointAlongTheRod, WithoutAnArcLengthIsAsStiffAsWithTheOneThatPassesThere) {
+    // the upper half is stiff, the end B of the other half is not
+    LineType stiff = plain_type(1, 1e7, 5e7), soft = plain_type(1, 1e7, 1e5);
+    Case input = one_line(stiff, 50, 20, fixed_at({0, 0, 0}), fixed_at({0, 0, -100.1}));
+    input.environment.water.density = 0.0, input.environment.water.gravity = 1e-9;
+    input.line_types.push_back(soft);
+    input.lines[0].sections.push_back({.type = 1, .length = 50, .elements = 20});
+    LineConstraint joint{.type = ConstraintType::clamp, .name = "clamp", .on_platform = false};
+    joint.position = {0.005, 0, -21.3213};
+    joint.direction = Vec3(0, 0, -1);
+    input.lines[0].constraints = {joint};
+    Case told = input;
+    told.lines[0].constraints[0].arc_length = 21.3;
+    const Sea sea = still_sea(input);
+    RodPack<Quad> found(input, sea, {0}), given(told, sea, {0});
+    ASSERT_TRUE(found.equilibrium({}, false).ok());
+    ASSERT_TRUE(given.equilibrium({}, false).ok());
+    // drawn aside by 5 mm; a spring of the soft element would give way nine times as far
+    EXPECT_NEAR(found.constraint_opening(0, 0), given.constraint_opening(0, 0),
+                0.05 * given.constraint_opening(0, 0));
+    EXPECT_NEAR(found.constraint_moment(0, 0).norm(), given.constraint_moment(0, 0).norm(),
+                0.05 * given.constraint_moment(0, 0).norm() + 100.0);
+}
+
 TEST(PullTube, TurnsTheTensionWithItsPath) {
     Case input = one_line(plain_type(1, 1e8), 40, 80, fixed_at({0, 0, 0}), fixed_at({40, 0, 0}));
     input.environment.water.density = input.environment.water.gravity = 0.0;

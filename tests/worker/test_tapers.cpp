@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "rod/stress.hpp"
 #include "rod_runs.hpp"
 
 namespace hawser::worker {
@@ -56,7 +57,7 @@ TEST(Taper, EveryPropertyRunsFromOneTypeToTheOther) {
     a.drag_normal = 1, b.drag_normal = 3, a.damping_ratio = 0.01, b.damping_ratio = 0.03;
     a.wall = PipeWall{.outer_diameter = 0.4, .inner_diameter = 0.3};
     b.wall = PipeWall{.outer_diameter = 0.6, .inner_diameter = 0.3};
-    const Section& section = input.lines[0].sections[0];
+    const Section &section = input.lines[0].sections[0];
     EXPECT_EQ(line_type_at(input, section, 0.0), a);
     const LineType at = line_type_at(input, section, 0.25);
     EXPECT_DOUBLE_EQ(at.EI, 15);
@@ -80,6 +81,21 @@ TEST(Taper, EveryPropertyRunsFromOneTypeToTheOther) {
     EXPECT_DOUBLE_EQ(mass(1), 300);
     EXPECT_NEAR(mass(2), 300 - 200 * 10.0 / 70, 1e-9);
     EXPECT_NEAR(mass(3), 300 - 200 * 45.0 / 70, 1e-9);
+}
+
+TEST(Taper, YieldAndBreakingLoadRunAsItsWallDoes) {
+    Case input = hanging_taper(4);
+    LineType &a = input.line_types[0], &b = input.line_types[1];
+    a.wall = PipeWall{.outer_diameter = 0.4, .inner_diameter = 0.3};
+    b.wall = PipeWall{.outer_diameter = 0.6, .inner_diameter = 0.3};
+    a.wall->yield = 448e6, b.wall->yield = 358e6;
+    a.breaking_load = 8e6, b.breaking_load = 4e6;
+    const auto at = [&](double s) { return stress_section(input, input.lines[0], s, true); };
+    EXPECT_DOUBLE_EQ(at(0).yield, 448e6);
+    EXPECT_DOUBLE_EQ(at(0.25 * L).yield, 425.5e6);
+    EXPECT_DOUBLE_EQ(at(L).yield, 358e6);
+    EXPECT_DOUBLE_EQ(at(0.25 * L).breaking_load, 7e6);
+    EXPECT_NEAR(at(0.25 * L).outer_radius, 0.225, 1e-12);
 }
 
 }  // namespace

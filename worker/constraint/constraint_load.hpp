@@ -17,6 +17,12 @@ struct ConstraintLoad {
     V energy{};
 };
 
+template <class M, class V>
+ConstraintLoad<V> select(M m, const ConstraintLoad<V>& a, const ConstraintLoad<V>& b) {
+    return {select(m, a.force, b.force), select(m, a.stiffness, b.stiffness),
+            select(m, a.energy, b.energy)};
+}
+
 /// The rod's point r against a place X with axis k that moves with the platform or stands on the
 /// earth: g = r - X, and the point's velocity less that of the platform's own point there.
 template <class V>

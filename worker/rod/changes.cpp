@@ -34,7 +34,7 @@ void RodPack<V>::set_changes(const Case& input) {
     full_length_.clear();
     for (const ElementProperties<V>& p : properties_) full_length_.push_back(p.L);
     parting_time_ = V(never), parting_element_ = V(-1.0), dead_ = V(-1.0);
-    lets_go_a_ = released_ = T::none();
+    parted_ = lets_go_a_ = released_ = T::none();
     winch_.resize(static_cast<std::size_t>(lanes));
     for (int i = 0; i < lanes; ++i) {
         const auto lane = static_cast<std::size_t>(i);
@@ -43,13 +43,25 @@ void RodPack<V>::set_changes(const Case& input) {
         if (line.fail) {
             const std::vector<double>& arc = arc_length_[lane];  // from end B
             const double place = arc.back() - line.fail->arc_length;
-            int node = 0;
-            for (int n = 0; n <= N; ++n)
-                if (std::abs(arc[static_cast<std::size_t>(n)] - place) <
-                    std::abs(arc[static_cast<std::size_t>(node)] - place))
-                    node = n;
+            const auto nearest = [&](double s) {
+                int node = 0;
+                for (int n = 0; n <= N; ++n)
+                    if (std::abs(arc[static_cast<std::size_t>(n)] - s) <
+                        std::abs(arc[static_cast<std::size_t>(node)] - s))
+                        node = n;
+                return node;
+            };
+            const int node = nearest(place);
             parts_ = true;
             T::set(parting_time_, i, line.fail->time);
+            // What holds the rod at end A lets go with it; a tensioner's ring anywhere.
+            for (PlacedConstraint<V>& c : constraints_) {
+                const LineConstraint& at = c.at[lane];
+                if (c.mirror || !at.arc_length) continue;
+                const bool held_here = nearest(arc.back() - *at.arc_length) == node;
+                const bool its = node == N || at.type == ConstraintType::tensioner;
+                if (held_here && its) T::set(c.lets_go, i, true);
+            }
             // towards end A from the node; at end A itself the platform lets go
             if (node == N) {
                 T::set(lets_go_a_, i, true);
@@ -83,9 +95,9 @@ void RodPack<V>::pay_out(V t) {
 
 template <class V>
 void RodPack<V>::part(V t) {
-    const Mask parted = t > parting_time_;
-    released_ = parted & lets_go_a_;
-    dead_ = select(parted, parting_element_, V(-1.0));
+    parted_ = t > parting_time_;
+    released_ = parted_ & lets_go_a_;
+    dead_ = select(parted_, parting_element_, V(-1.0));
 }
 
 template <class V>

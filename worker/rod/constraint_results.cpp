@@ -56,9 +56,10 @@ void RodPack<V>::keep_constraints(Mask accepted, V h, const RodState<V>& before,
 }
 
 template <class V>
-bool RodPack<V>::has_static_joint_axes() const {
-    return std::any_of(constraints_.begin(), constraints_.end(),
-                       [](const PlacedConstraint<V>& c) { return any(c.axis_is_static); });
+auto RodPack<V>::static_joint_axes() const -> Mask {
+    Mask out = LaneTraits<V>::none();
+    for (const PlacedConstraint<V>& c : constraints_) out = out | c.axis_is_static;
+    return out;
 }
 
 template <class V>
@@ -193,7 +194,7 @@ double RodPack<V>::impulse_mismatch(int lane, int c) const {
 template void RodPack<Single>::settle_constraints(Single::Mask);
 template void RodPack<Single>::keep_constraints(Single::Mask, Single, const RodState<Single>&,
                                                 RodState<Single>&);
-template bool RodPack<Single>::has_static_joint_axes() const;
+template auto RodPack<Single>::static_joint_axes() const -> Single::Mask;
 template void RodPack<Single>::take_joint_axes(RodState<Single>&);
 template void RodPack<Single>::begin_impulses(double);
 template void RodPack<Single>::count_impulses();
@@ -209,7 +210,7 @@ template double RodPack<Single>::impulse_mismatch(int, int) const;
 template void RodPack<Quad>::settle_constraints(Quad::Mask);
 template void RodPack<Quad>::keep_constraints(Quad::Mask, Quad, const RodState<Quad>&,
                                               RodState<Quad>&);
-template bool RodPack<Quad>::has_static_joint_axes() const;
+template auto RodPack<Quad>::static_joint_axes() const -> Quad::Mask;
 template void RodPack<Quad>::take_joint_axes(RodState<Quad>&);
 template void RodPack<Quad>::begin_impulses(double);
 template void RodPack<Quad>::count_impulses();

@@ -29,6 +29,9 @@ std::vector<LineConstraint> contact_points(const LineConstraint& declared) {
     return out;
 }
 
+/// Way of a rod's end out of a guide over which the guide's load fades [m].
+constexpr double fades_over = 0.1;
+
 bool holds_a_point(ConstraintType type) {
     return type == ConstraintType::ball_joint || type == ConstraintType::flex_joint ||
            type == ConstraintType::clamp;
@@ -144,31 +147,8 @@ void RodPack<V>::set_laws(PlacedConstraint<V>& to) const {
         case ConstraintType::ball_joint:
         case ConstraintType::flex_joint:
         case ConstraintType::clamp: {
-            // A joint's point is held by a spring ten times as stiff as the element that it holds,
-            // and damped with half of what is critical for that element's mass.
-            const auto element = [&](int lane, const LineConstraint& at) {
-                return static_cast<std::size_t>(
-                    at.arc_length ? element_at(lane, *at.arc_length).first : 0);
-            };
-            const V L =
-                each([&](int i, const C& at) { return T::get(properties_[element(i, at)].L, i); });
-            const V B =
-                each([&](int i, const C& at) { return T::get(properties_[element(i, at)].B, i); });
-            const V K = each([&](int i, const C& at) {
-                const ElementProperties<V>& p = properties_[element(i, at)];
-                const double l = T::get(p.L, i);
-                return at.stiffness > 0.0 ? at.stiffness
-                                          : 10.0 * (T::get(p.K_damper, i) / l +
-                                                    12.0 * T::get(p.B, i) / (l * l * l));
-            });
-            const V C_point = each([&](int i, const C& at) {
-                const ElementProperties<V>& p = properties_[element(i, at)];
-                return at.damping > 0.0 ? at.damping
-                                        : std::sqrt(T::get(K, i) * T::get(p.m, i) * T::get(p.L, i));
-            });
-            to.law = HeldPoint<V>{.stiffness = K, .damping = C_point};
-            if (to.at.front().type == ConstraintType::clamp)
-                to.joint = Clamp<V>{.stiffness = V(4e3) * B / L};
+            to.law = HeldPoint<V>{};
+            if (to.at.front().type == ConstraintType::clamp) to.joint = Clamp<V>{};
             if (to.at.front().type == ConstraintType::flex_joint)
                 to.joint = FlexJoint<V>{.stiffness = gather(&C::rotational_stiffness),
                                         .table = tables(&C::rotational_curve)};
@@ -176,10 +156,29 @@ void RodPack<V>::set_laws(PlacedConstraint<V>& to) const {
                 const bool given = to.at[static_cast<std::size_t>(i)].direction.has_value();
                 T::set(to.axis_is_static, i,
                        !given && !std::holds_alternative<NoSlopeLaw>(to.joint));
+                // without an arc length: statics find which (place_constraints)
+                const auto& arc = to.at[static_cast<std::size_t>(i)].arc_length;
+                hold_by_element(to, i, arc ? element_at(i, *arc).first : 0);
             }
             break;
         }
     }
+}
+
+template <class V>
+void RodPack<V>::hold_by_element(PlacedConstraint<V>& to, int lane, int element) const {
+    // A joint's point is held by a spring ten times as stiff as the element that it holds, and
+    // damped with half of what is critical for that element's mass.
+    using T = LaneTraits<V>;
+    const LineConstraint& at = to.at[static_cast<std::size_t>(lane)];
+    const ElementProperties<V>& p = properties_[static_cast<std::size_t>(element)];
+    const double L = T::get(p.L, lane), B = T::get(p.B, lane), EA = T::get(p.K_damper, lane);
+    const double K = at.stiffness > 0.0 ? at.stiffness : 10.0 * (EA / L + 12.0 * B / (L * L * L));
+    auto& held = std::get<HeldPoint<V>>(to.law);
+    T::set(held.stiffness, lane, K);
+    T::set(held.damping, lane,
+           at.damping > 0.0 ? at.damping : std::sqrt(K * T::get(p.m, lane) * L));
+    if (auto* clamp = std::get_if<Clamp<V>>(&to.joint)) T::set(clamp->stiffness, lane, 4e3 * B / L);
 }
 
 template <class V>
@@ -276,6 +275,12 @@ void RodPack<V>::locate(PlacedConstraint<V>& c, int lane, bool search) const {
     }
     T::set(c.element, lane, element);
     T::set(c.xi, lane, xi);
+    if (at.arc_length || holds_a_point(at.type)) return;
+    double beyond = 0.0;  // of the plane from the rod's end
+    if ((element == 0 && xi <= 0.0) || (element + 1 == N && xi >= 1.0))
+        beyond = std::abs((trial_point(lane, element, xi, nullptr) - lane_vector(c.place, lane))
+                              .dot(lane_vector(c.axis, lane)));
+    T::set(c.holds, lane, std::max(0.0, 1.0 - beyond / fades_over));
 }
 
 template <class V>
@@ -304,6 +309,8 @@ void RodPack<V>::place_constraints(const RodState<V>& before, V t_before, V t,
             for (std::size_t k = 0; k < c.cylinders.size(); ++k)
                 set_lane_vector(c.cylinders[k], i, now.turned * (at.cylinders[k] - at.position));
             locate(c, i, search);
+            if (search && !at.arc_length && holds_a_point(at.type) && !c.mirror)
+                hold_by_element(c, i, static_cast<int>(T::get(c.element, i)));
             // Where this material point was along the axis before the step
             const auto e = static_cast<std::size_t>(T::get(c.element, i));
             const NodeState<V>&a = before.nodes()[e], &b = before.nodes()[e + 1];
@@ -367,12 +374,38 @@ void RodPack<V>::apply_laws(V a1) {
             softer.add(part, c.reading.load.stiffness);
             c.reading.load.stiffness = softer;
         }
-        if (law_on_)
-            c.joint_load = std::visit(
-                [&](const auto& law) { return load(law, c.slope, c.joint_axis); }, c.joint);
-        else
-            c.joint_load = {};
+        c.joint_load =
+            std::visit([&](const auto& law) { return load(law, c.slope, c.joint_axis); }, c.joint);
+        c.joint_load = select(law_on_, c.joint_load, ConstraintLoad<V>{});
+        let_go(c);
     }
+}
+
+template <class V>
+void RodPack<V>::let_go(PlacedConstraint<V>& c) const {
+    const V here(c.element);
+    Mask off = c.holds <= V(0.0);
+    if (parts_) {
+        off = off | (parted_ & c.lets_go);
+        // nothing is left of a parted element for a guide to push
+        const bool guides = !c.at.front().arc_length && !holds_a_point(c.at.front().type);
+        if (guides) off = off | ((dead_ <= here) & (dead_ >= here));
+    }
+    const Mask partly = c.holds < V(1.0);
+    if (any(partly)) {
+        ConstraintReading<V>& r = c.reading;
+        const V part = select(partly, c.holds, V(1.0));
+        r.load.force = part * r.load.force;
+        Symmetric<V> softer;
+        softer.add(part, r.load.stiffness);
+        r.load.stiffness = softer;
+        r.load.energy *= part, r.magnitude *= part, r.power *= part;
+    }
+    if (!any(off)) return;
+    c.reading.load = select(off, ConstraintLoad<V>{}, c.reading.load);
+    c.joint_load = select(off, ConstraintLoad<V>{}, c.joint_load);
+    for (V* x : {&c.reading.magnitude, &c.reading.friction, &c.reading.power})
+        *x = select(off, V(0.0), *x);
 }
 
 template <class V>

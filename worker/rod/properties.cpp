@@ -24,7 +24,7 @@ LineType line_type_at(const Case& input, const Section& section, double fraction
          {&LineType::mass, &LineType::displaced_area, &LineType::outer_diameter, &LineType::EA,
           &LineType::EI, &LineType::bending_damping, &LineType::drag_diameter,
           &LineType::drag_normal, &LineType::drag_axial, &LineType::added_mass_normal,
-          &LineType::added_mass_axial})
+          &LineType::added_mass_axial, &LineType::section_area})
         run(type.*member, end.*member);
     const auto run_optional = [&](std::optional<double>& a, const std::optional<double>& b) {
         if (a && b) run(*a, *b);

@@ -135,7 +135,7 @@ void RodPack<V>::begin_still_pass(double t0, double t1) {
     ++work_.passes;
     ++work_.steps;
     work_.rod_time += t1 - t0;
-    released_ = LaneTraits<V>::none(), dead_ = V(-1.0);
+    parted_ = released_ = LaneTraits<V>::none(), dead_ = V(-1.0);
     if (winds_) pay_out(V(t1));
     prepare_material(kept_, V(t1 - t0));
     const NodeState<V>* before = kept_.nodes();

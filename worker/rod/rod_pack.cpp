@@ -45,6 +45,7 @@ RodPack<V>::RodPack(const Case& input, const Sea& sea, std::vector<int> lines)
       platform_step_(input.analysis.dynamics.platform_step),
       wave_step_(input.analysis.dynamics.wave_step),
       used_(LaneTraits<V>::none()),
+      law_on_(!LaneTraits<V>::none()),
       guessed_(LaneTraits<V>::none()),
       axis_is_static_a_(LaneTraits<V>::none()),
       axis_is_static_b_(LaneTraits<V>::none()) {

@@ -69,9 +69,12 @@ struct PlacedConstraint {
     V element{}, xi{};                  ///< where it touches during the step
     Vector<V> place, axis, joint_axis;  ///< on world axes at the end of the step
     std::vector<Vector<V>> cylinders;   ///< of a tensioner: their points less the place
-    V slide_start{};                    ///< g.k of the material point before the step [m]
-    V friction{}, stroke{};             ///< friction spring and stroke before the step [m]
-    ConstraintMotion<V> motion;         ///< at the last trial values
+    /// The failing node is where it holds the rod: it lets go with it
+    typename LaneTraits<V>::Mask lets_go = LaneTraits<V>::none();
+    V holds = V(1.0);            ///< part of the load of a guide: 0 beyond the rod's ends
+    V slide_start{};             ///< g.k of the material point before the step [m]
+    V friction{}, stroke{};      ///< friction spring and stroke before the step [m]
+    ConstraintMotion<V> motion;  ///< at the last trial values
     ConstraintReading<V> reading;
     ConstraintLoad<V> joint_load;
     Vector<V> point, rate, slope;  ///< of the rod there: r, r_t, r'
@@ -304,11 +307,15 @@ class RodPack {
                                  const Vector<V>& a, const Water<V>& water, V a0, V a1) const;
     void add_point_mass(const PointMass<V>& mass, V a0, V a1, V (&D)[7][7], V (&R)[7]) const;
     void add_slope_law(const SlopeLaw<V>& law, const TrialNode<V>& node, const Vector<V>& axis,
-                       V (&D)[7][7], V (&R)[7], ConstraintLoad<V>& load, V on = V(1.0)) const;
+                       V (&D)[7][7], V (&R)[7], ConstraintLoad<V>& load, Mask on) const;
 
     // constraints.cpp
     void set_constraints(const Case& input);
     void set_laws(PlacedConstraint<V>& to) const;
+    /// Springs of a joint's point and of a clamp, after the element that they hold.
+    void hold_by_element(PlacedConstraint<V>& to, int lane, int element) const;
+    /// Takes away the loads of what has let go and of guides beyond the rod's ends.
+    void let_go(PlacedConstraint<V>& c) const;
     /// Element from end B, and place in it, of an arc length from end A.
     [[nodiscard]] std::pair<int, double> element_at(int lane, double arc_length) const;
     void place_constraints(const RodState<V>& before, V t_before, V t, const MotionSpline& platform,
@@ -351,7 +358,8 @@ class RodPack {
     /// time go on from `before`.
     void keep_constraints(Mask accepted, V h, const RodState<V>& before, RodState<V>& s);
     void take_joint_axes(RodState<V>& s);
-    [[nodiscard]] bool has_static_joint_axes() const;
+    /// Lanes with a joint along the rod whose axis is the static tangent.
+    [[nodiscard]] Mask static_joint_axes() const;
     void begin_impulses(double length);
     void count_impulses();
     template <class Combine>
@@ -394,7 +402,7 @@ class RodPack {
                     const std::optional<Vec3>& b);
     Mask guess_under_tension(int lane, const LineConstraint& tensioner, const PlatformMotion& pose,
                              const Vec3& foot, const std::vector<CatenaryElement>& elements);
-    void begin_statics(const MotionSpline& still);
+    void begin_statics(const MotionSpline& still, Mask wanted);
     void end_statics(Mask solved);
     /// Lanes whose trial values are an equilibrium that nobody wants.
     Mask false_equilibria() const;
@@ -419,7 +427,7 @@ class RodPack {
     std::vector<Mask> curved_;
     bool parts_ = false, winds_ = false, shelters_ = false;
     V parting_time_{}, parting_element_{}, dead_{};  ///< elements from end B; -1: none
-    Mask lets_go_a_, released_;                      ///< fails at end A; has done so
+    Mask parted_, lets_go_a_, released_;             ///< has failed; fails at end A; has done so
     std::vector<WoundLine> winch_;                   ///< per lane
     std::vector<V> full_length_;                     ///< of the elements, without winch [m]
     V sheltered_above_{};                            ///< height on the platform [m]
@@ -442,7 +450,7 @@ class RodPack {
     std::vector<std::vector<CatenaryElement>> hanging_;  ///< catenary: what each lane is made of
     std::vector<Mat3> hanging_stiffness_;                ///< catenary: of end A, per lane [N/m]
     bool friction_on_ = true;
-    bool law_on_ = true;
+    Mask law_on_;             ///< lanes whose laws of slopes act
     double hold_part_ = 1.0;  ///< of the stiffness of held points, on the way to a static solution
     Mask guessed_;            ///< lanes with a guess of their own
     bool has_strain_ = false, started_ = false, static_ = false;

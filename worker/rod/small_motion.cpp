@@ -98,8 +98,14 @@ SmallMotion RodPack<V>::small_motion(int lane) {
         for (const PointMass<V>& point : masses_)
             add_node(static_cast<std::size_t>(point.node),
                      [&] { add_point_mass(point, a0, V(0.0), D, R); });
-        add_node(0, [&] { add_slope_law(law_b_, trial_[0], end_b_.axis, D, R, slope_load_b_); });
-        add_node(N, [&] { add_slope_law(law_a_, trial_[N], end_a_.axis, D, R, slope_load_a_); });
+        add_node(0, [&] {
+            add_slope_law(law_b_, trial_[0], end_b_.axis, D, R, slope_load_b_,
+                          !LaneTraits<V>::none());
+        });
+        add_node(N, [&] {
+            add_slope_law(law_a_, trial_[N], end_a_.axis, D, R, slope_load_a_,
+                          !LaneTraits<V>::none());
+        });
         if (place_a_.sprung())
             add_node(N, [&] {
                 const Vector<V> g = trial_[N].r - end_a_.position;

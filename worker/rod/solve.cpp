@@ -48,13 +48,14 @@ Symmetric<V> scaled(V factor, const Symmetric<V>& S) {
 template <class V>
 void RodPack<V>::add_slope_law(const SlopeLaw<V>& law, const TrialNode<V>& node,
                                const Vector<V>& axis, V (&D)[7][7], V (&R)[7],
-                               ConstraintLoad<V>& out, V on) const {
-    if (std::holds_alternative<NoSlopeLaw>(law) || !law_on_) {
+                               ConstraintLoad<V>& out, Mask on) const {
+    if (std::holds_alternative<NoSlopeLaw>(law)) {
         out = {};
         return;
     }
     out = std::visit([&](const auto& l) { return load(l, node.d, axis); }, law);
-    if (parts_) out.force = on * out.force, out.stiffness = scaled(on, out.stiffness);
+    const Mask acts = on & law_on_;
+    out = select(acts, out, ConstraintLoad<V>{});
     R[3] -= out.force.x, R[4] -= out.force.y, R[5] -= out.force.z;
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k <= i; ++k) D[3 + i][3 + k] += out.stiffness(i, k);
@@ -102,7 +103,8 @@ void RodPack<V>::reduce(V a0, V a1) {
         for (; mass != masses_.end() && mass->node == static_cast<int>(e); ++mass)
             add_point_mass(*mass, a0, a1, D, R);
         if (e == 0) {
-            add_slope_law(law_b_, trial_[0], end_b_.axis, D, R, slope_load_b_);
+            add_slope_law(law_b_, trial_[0], end_b_.axis, D, R, slope_load_b_,
+                          !LaneTraits<V>::none());
             if (place_b_.prescribed()) {  // the removed rows are the reaction
                 for (int i = 0; i < 3; ++i) {
                     rows_b_.R[i] = R[i];
@@ -128,7 +130,7 @@ void RodPack<V>::reduce(V a0, V a1) {
     }
     for (; mass != masses_.end(); ++mass) add_point_mass(*mass, a0, a1, D, R);
     const V held_a = select(released_, V(0.0), V(1.0));
-    add_slope_law(law_a_, trial_[N], end_a_.axis, D, R, slope_load_a_, held_a);
+    add_slope_law(law_a_, trial_[N], end_a_.axis, D, R, slope_load_a_, !released_);
     if (place_a_.sprung()) {
         const Vector<V> g = trial_[N].r - end_a_.position, g_rate = trial_[N].v - end_a_.velocity;
         spring_load_a_ =
@@ -260,7 +262,7 @@ template void RodPack<Single>::add_point_mass(const PointMass<Single>&, Single, 
                                               Single (&)[7][7], Single (&)[7]) const;
 template void RodPack<Single>::add_slope_law(const SlopeLaw<Single>&, const TrialNode<Single>&,
                                              const Vector<Single>&, Single (&)[7][7], Single (&)[7],
-                                             ConstraintLoad<Single>&, Single) const;
+                                             ConstraintLoad<Single>&, Single::Mask) const;
 template void RodPack<Single>::reduce(Single, Single);
 template void RodPack<Single>::back_substitute();
 template void RodPack<Single>::update_trial(Single::Mask, Single, Single, Single, Single, Single&,
@@ -272,7 +274,7 @@ template void RodPack<Quad>::add_point_mass(const PointMass<Quad>&, Quad, Quad, 
                                             Quad (&)[7]) const;
 template void RodPack<Quad>::add_slope_law(const SlopeLaw<Quad>&, const TrialNode<Quad>&,
                                            const Vector<Quad>&, Quad (&)[7][7], Quad (&)[7],
-                                           ConstraintLoad<Quad>&, Quad) const;
+                                           ConstraintLoad<Quad>&, Quad::Mask) const;
 template void RodPack<Quad>::reduce(Quad, Quad);
 template void RodPack<Quad>::back_substitute();
 template void RodPack<Quad>::update_trial(Quad::Mask, Quad, Quad, Quad, Quad, Quad&, Quad&);

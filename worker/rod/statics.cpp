@@ -125,19 +125,21 @@ std::vector<CatenaryNode> RodPack<V>::found_shape(int lane) const {
 }
 
 template <class V>
-void RodPack<V>::begin_statics(const MotionSpline& still) {
+void RodPack<V>::begin_statics(const MotionSpline& still, Mask wanted) {
     static_ = true;
     friction_on_ = false;
-    released_ = LaneTraits<V>::none(), dead_ = V(-1.0);  // a line is whole at rest
+    parted_ = released_ = LaneTraits<V>::none(), dead_ = V(-1.0);  // a line is whole at rest
     if (winds_) pay_out(kept_.head().t);
     const NodeState<V>* node = kept_.nodes();
     for (std::size_t n = 0; n < trial_.size(); ++n)
         trial_[n] = {.r = node[n].r, .d = node[n].d, .v = {}, .vd = {}, .a = {}, .ad = {}};
     for (std::size_t i = 0; i < lambda_.size(); ++i) lambda_[i] = kept_.lambda()[i].now;
     for (std::size_t e = 0; e < properties_.size(); ++e) {
-        for (V& s : material_[e].s)
-            s = V(1.0) / properties_[e].K_damper + V(1.0) / properties_[e].K_creep;
-        for (V& b : material_[e].b) b = V(0.0);
+        // a lane that is at rest already keeps where it stands on its tension table
+        const Mask anew = wanted | !used_;
+        const V mean = V(1.0) / properties_[e].K_damper + V(1.0) / properties_[e].K_creep;
+        for (V& s : material_[e].s) s = select(anew, mean, s);
+        for (V& b : material_[e].b) b = select(anew, V(0.0), b);
     }
     end_a_ = end_values(place_a_, kept_.head().axis_a, V(0.0), still);
     end_b_ = end_values(place_b_, kept_.head().axis_b, V(0.0), still);
@@ -164,7 +166,7 @@ auto RodGroup<V>::static_newton(const PlatformMotion& pose, bool current, Mask w
     -> Mask {
     const MotionSpline still(0.0, pose, 0.0, pose);
     const V now(0.0);
-    for (RodPack<V>& p : packs_) p.begin_statics(still);
+    for (RodPack<V>& p : packs_) p.begin_statics(still, wanted);
 
     Mask iterating = wanted, solved = LaneTraits<V>::none();
     V polish(0.0);  // two more iterations after the position test settle lambda
@@ -467,8 +469,7 @@ Status RodGroup<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
         if (any(everything_of(guessed))) return unsolved(guessed);
         bool held = false;
         for (RodPack<V>& p : packs_) {
-            p.law_on_ =
-                !any(p.axis_is_static_a_ | p.axis_is_static_b_) && !p.has_static_joint_axes();
+            p.law_on_ = !(p.axis_is_static_a_ | p.axis_is_static_b_ | p.static_joint_axes());
             held = held || std::any_of(p.constraints_.begin(), p.constraints_.end(),
                                        [](const PlacedConstraint<V>& c) {
                                            return c.tied ||
@@ -489,7 +490,7 @@ Status RodGroup<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
             solved = solved | drawn;
         }
         solved = relaxed(design, false, solved);
-        for (RodPack<V>& p : packs_) p.law_on_ = true;
+        for (RodPack<V>& p : packs_) p.law_on_ = !LaneTraits<V>::none();
         if (any(everything_of(solved))) return unsolved(solved);
         for (RodPack<V>& p : packs_) p.take_axes();
         if (Status untrue = false_equilibrium(); !untrue.ok()) return untrue;

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <limits>
 
+#include "rod/properties.hpp"
+
 namespace hawser::worker {
 
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-double between(double a, double b, double fraction) { return a + fraction * (b - a); }
 
 }  // namespace
 
@@ -23,11 +23,8 @@ StressSection<double> stress_section(const Case& input, const Line& line, double
         start = end;
     }
     const Section& section = line.sections[j];
-    const LineType& type = input.line_types[static_cast<std::size_t>(section.type)];
-    const LineType& last = section.type_at_end < 0
-                               ? type
-                               : input.line_types[static_cast<std::size_t>(section.type_at_end)];
     const double x = section.length > 0.0 ? (arc_length - start) / section.length : 0.0;
+    const LineType type = line_type_at(input, section, x);
 
     StressSection<double> s{.area = nan,
                             .inner_radius = 0.0,
@@ -39,18 +36,15 @@ StressSection<double> stress_section(const Case& input, const Line& line, double
                             .breaking_load = type.breaking_load.value_or(nan),
                             .no_wall = nan};
     if (type.wall) {
-        const PipeWall &a = *type.wall, &b = last.wall ? *last.wall : a;
-        const double outer = 0.5 * between(a.outer_diameter, b.outer_diameter, x);
-        const double inner = 0.5 * between(a.inner_diameter, b.inner_diameter, x);
+        const PipeWall& wall = *type.wall;
+        const double outer = 0.5 * wall.outer_diameter, inner = 0.5 * wall.inner_diameter;
         s.outer_radius = outer;
-        s.inner_radius =
-            outer - between(a.thickness_factor, b.thickness_factor, x) * (outer - inner);
+        s.inner_radius = outer - wall.thickness_factor * (outer - inner);
         s.area = M_PI * (std::pow(s.outer_radius, 2) - std::pow(s.inner_radius, 2));
         s.second_moment = M_PI / 4 * (std::pow(s.outer_radius, 4) - std::pow(s.inner_radius, 4));
-        s.concentration = between(a.concentration, b.concentration, x);
-        s.contents_weight =
-            between(a.contents_density, b.contents_density, x) * input.environment.water.gravity;
-        s.yield = a.yield.value_or(nan);
+        s.concentration = wall.concentration;
+        s.contents_weight = wall.contents_density * input.environment.water.gravity;
+        s.yield = wall.yield.value_or(nan);
         s.no_wall = 0.0;
     } else if (type.section_area > 0.0) {
         s.area = type.section_area;

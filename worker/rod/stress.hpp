@@ -21,7 +21,8 @@ struct StressSection {
 };
 
 /// Section of a line at an arc length from end A [m]; at a joint of two sections `next` chooses the
-/// one that begins there. A taper runs linearly in both diameters.
+/// one that begins there. In a taper all of it runs
+/// linearly, yield and breaking load too.
 ///
 ///     pipe: R_i = R_o - thickness_factor (wall thickness), A_s = pi (R_o^2 - R_i^2), I = pi/4
 ///     (R_o^4 - R_i^4) chain: A_s = 2 pi/4 d^2 (two legs of a link);  rope, wire: A_s = pi/4 d^2, d

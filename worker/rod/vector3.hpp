@@ -74,4 +74,11 @@ struct Symmetric {
     }
 };
 
+template <class M, class V>
+[[gnu::always_inline]] inline Symmetric<V> select(M m, const Symmetric<V>& a,
+                                                  const Symmetric<V>& b) {
+    return {select(m, a.xx, b.xx), select(m, a.yy, b.yy), select(m, a.zz, b.zz),
+            select(m, a.xy, b.xy), select(m, a.xz, b.xz), select(m, a.yz, b.yz)};
+}
+
 }  // namespace hawser::worker

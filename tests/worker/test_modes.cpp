@@ -336,5 +336,17 @@ TEST(StructuralDamping, IsAbsentWhenNotAskedFor) {  // and A12 in time: 0.5 %
     EXPECT_NEAR(v.period, 1.0, 0.005);
 }
 
+TEST(Modes, OfASingularOrUnfinishedMatrixAreNotTold) {
+    SmallMotion motion;
+    motion.stiffness.resize(3, 3), motion.mass.resize(3, 3);
+    for (int i = 0; i < 3; ++i) motion.mass.insert(i, i) = i < 2 ? 1.0 : 0.0;
+    motion.stiffness.insert(0, 0) = 4.0, motion.stiffness.insert(1, 1) = 9.0;
+    EXPECT_THROW((void)lowest_modes(motion, 1), RunError);  // nothing holds the third
+    motion.stiffness.insert(2, 2) = 1.0;
+    EXPECT_NEAR(lowest_modes(motion, 1).omega_squared[0], 4.0, 1e-9);
+    motion.stiffness.coeffRef(0, 0) = NAN;
+    EXPECT_THROW((void)lowest_modes(motion, 1), RunError);
+}
+
 }  // namespace
 }  // namespace hawser::worker

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "status.hpp"
+
 namespace hawser::worker {
 
 namespace {
@@ -64,6 +66,8 @@ Eigenmodes lowest_modes(const SmallMotion& motion, int count) {
     Sparse J = motion.stiffness + shift * motion.mass;
     J = Sparse(scale.asDiagonal() * J * scale.asDiagonal());
     Eigen::SparseLU<Sparse> solver(J);
+    if (solver.info() != Eigen::Success)
+        throw RunError(ExitCode::no_equilibrium, "modes: the stiffness is singular");
 
     Numbers numbers;
     Eigen::MatrixXd U(n, m);
@@ -72,6 +76,7 @@ Eigenmodes lowest_modes(const SmallMotion& motion, int count) {
     Eigenmodes out;
     out.omega_squared = Eigen::VectorXd::Zero(m);
     Eigen::MatrixXd MU = motion.mass * U;
+    bool close = false;
     for (int iteration = 0; iteration < 300; ++iteration) {
         const Eigen::MatrixXd solved = solver.solve(Eigen::MatrixXd(scale.asDiagonal() * MU));
         Eigen::MatrixXd X = scale.asDiagonal() * solved;
@@ -87,9 +92,12 @@ Eigenmodes lowest_modes(const SmallMotion& motion, int count) {
         const Eigen::VectorXd change = (found - out.omega_squared).head(wanted).cwiseAbs();
         const bool settled =
             (change.array() <= 1e-12 * found.head(wanted).array().abs() + 1e-14).all();
+        // rounding may keep the last digits of the highest from standing still
+        close = (change.array() <= 1e-6 * found.head(wanted).array().abs() + 1e-10).all();
         out.omega_squared = found;
         if (settled) break;
     }
+    if (!close) throw RunError(ExitCode::no_equilibrium, "modes: their iteration does not settle");
     out.omega_squared.conservativeResize(wanted);
     out.shapes = U.leftCols(wanted);
     return out;
@@ -108,7 +116,12 @@ std::vector<RodMode> rod_modes(RodPack<V>& pack, int lane, const Case& input, in
     // Parts of a motion along the rod and out of its plane, slopes with positions: a mode whose
     // half wave is an element stands still at the nodes
     const SmallMotion motion = pack.small_motion(lane);
-    Eigenmodes found = lowest_modes(motion, count);
+    Eigenmodes found;
+    try {
+        found = lowest_modes(motion, count);
+    } catch (const RunError& error) {
+        throw RunError(ExitCode::no_equilibrium, line.name + ": " + error.what());
+    }
     const Eigen::Index rows = motion.mass.rows();
     std::vector<Vec3> tangent;
     for (std::size_t n = 0; n <= N; ++n) {

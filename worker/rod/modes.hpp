@@ -10,7 +10,8 @@
 
 namespace hawser::worker {
 
-/// The lowest modes of J x = omega^2 M x by subspace iteration; x has M-norm 1.
+/// The lowest modes of J x = omega^2 M x by subspace iteration; x has M-norm 1. Throws RunError
+/// where J + 1e-6 M is singular or the frequencies do not settle to a millionth.
 struct Eigenmodes {
     Eigen::VectorXd omega_squared;  ///< ascending
     Eigen::MatrixXd shapes;         ///< a column each

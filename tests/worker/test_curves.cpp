@@ -39,24 +39,6 @@ TEST(TensionTable, IsFollowedInStaticsAcrossItsKinks) {  // R:41
     }
 }
 
-TEST(TensionTable, OfARodAtRestDoesNotFeelANeighbourThatIsSoughtOnceMore) {
-    Case input = tabulated(fixed_at({102, 0, 0}));
-    input.lines.push_back(input.lines[0]);
-    const Sea sea = still_sea(input);
-    RodPack<Quad> alone(input, sea, {0}), beside(input, sea, {0, 1});
-    // the neighbour starts folded, which no solution comes of but from its catenary
-    std::vector<CatenaryNode> folded;
-    for (const double x : {0.0, 80.0, 10.0})
-        folded.push_back({.position = {x, 0, 0}, .tangent = -Vec3::UnitX(), .tension = -1e5});
-    beside.set_guess(1, folded);
-    ASSERT_TRUE(alone.equilibrium({}, false).ok());
-    ASSERT_TRUE(beside.equilibrium({}, false).ok());
-    for (std::size_t n = 0; n < alone.kept().block().size(); ++n)
-        ASSERT_EQ(alone.kept().block()[n][0], beside.kept().block()[n][0]) << n;
-    const Strain<Quad>& strain = beside.kept().strain()[0];
-    EXPECT_NEAR(strain.damper[0], 0.02, 1e-6);  // all of the stretch is the table's
-}
-
 TEST(TensionTable, IsFollowedInMotionAcrossItsKinks) {  // R:41, with a damper beside it, R:4
     for (const double damping : {0.0, 2e6}) {
         // strain 0.025 + 0.02 sin(0.5 t)

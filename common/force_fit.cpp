@@ -3,7 +3,8 @@
 namespace hawser {
 
 double fit_weight(ForceFit fit, int i, int n) {
-    if (fit == ForceFit::instantaneous) return i == n ? 1.0 : 0.0;
+    if (fit == ForceFit::instantaneous || fit == ForceFit::impulse_matched)
+        return i == n ? 1.0 : 0.0;
     const double N = n, x = i - 0.5 * N;
     double w = 1.0 / (N + 1.0) + 6.0 * x / ((N + 1.0) * (N + 2.0));
     if (fit == ForceFit::quadratic_fit)

@@ -10,7 +10,7 @@ namespace hawser {
 /// force returned, f = sum_i w_i f_i. The fit includes the start value and is evaluated at the end.
 /// With x = i - n/2 the discrete orthogonal polynomials give
 ///
-///     instantaneous   w = 1 at i = n, else 0
+///     instantaneous   w = 1 at i = n, else 0; so does impulse_matched, whose carry comes on top
 ///     linear_fit      w = 1/(n+1) + 6 x / ((n+1)(n+2))
 ///     quadratic_fit   w = linear + 30 [x^2 - n(n+2)/12] / ((n+1)(n+2)(n+3))
 ///

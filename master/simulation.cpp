@@ -120,7 +120,7 @@ void Simulation::keep_impulses(const Reply& lines) {
         if (load.impulse_mismatch > io::large_mismatch)
             report_.warn(
                 fmt::format("{}: rod and platform took impulses that differ by {:.1f} % (R:40); a "
-                            "shorter platform step or force: quadratic_fit brings them together",
+                            "shorter platform step or force: impulse_matched brings them together",
                             impulses_.back().constraint, 100.0 * load.impulse_mismatch));
     }
 }

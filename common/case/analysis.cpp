@@ -75,13 +75,18 @@ const Table& coupling_keys() {
         Keys<Dynamics> k("coupling");
         k.only("scheme", "paper", {"synchronous", "one_pass"},
                "How platform and rods advance together");
-        k.choice("force", &Dynamics::force,
-                 std::vector<std::pair<std::string, ForceFit>>{
-                     {"instantaneous", ForceFit::instantaneous},
-                     {"linear_fit", ForceFit::linear_fit},
-                     {"quadratic_fit", ForceFit::quadratic_fit}},
-                 "Force of a line at the end of a pass: its last value, or a fit over the pass")
-            .def("instantaneous");
+        k.choice(
+             "force", &Dynamics::force,
+             std::vector<std::pair<std::string, ForceFit>>{
+                 {"instantaneous", ForceFit::instantaneous},
+                 {"linear_fit", ForceFit::linear_fit},
+                 {"quadratic_fit", ForceFit::quadratic_fit},
+                 {"impulse_matched", ForceFit::impulse_matched}},
+             "Force of a line at the end of a pass: its last value (the paper), a fit over the "
+             "pass, or its last value and, spread over the next platform step, what the four "
+             "values of a step missed of the line's impulse, so that knocks in guides lose none "
+             "(dynamic lines; others return the last value)")
+            .def("impulse_matched");
         return k.done();
     }();
     return table;

@@ -18,7 +18,9 @@ struct RodScheme {
 /// elastic catenary between the ends.
 enum class LineModel { dynamic, quasi_static, catenary };
 
-enum class ForceFit { instantaneous, linear_fit, quadratic_fit };
+/// What a pass returns of a line's load: its last value, a fit over the pass (P:5), or the last
+/// value and what the platform is owed of the load's impulse (R:48).
+enum class ForceFit { instantaneous, linear_fit, quadratic_fit, impulse_matched };
 
 struct Statics {
     bool current = true, wind_mean = true,
@@ -38,7 +40,7 @@ struct Dynamics {
     double wave_step = 0.25;       ///< renewal of wave kinematics on lines [s]
     double depth_filter = 1.0;     ///< wavelengths down to which a component is seen; 0: no filter
     RodScheme rod_scheme;
-    ForceFit force = ForceFit::instantaneous;
+    ForceFit force = ForceFit::impulse_matched;
     LineModel line_model = LineModel::dynamic;
 
     bool operator==(const Dynamics&) const = default;

@@ -77,7 +77,9 @@ void contact_keys(Keys<ConstraintKeys>& k) {
         .at_least(0)
         .eg("2 m");
     k.number("stiffness", &C::stiffness, dimension::stiffness,
-             "Force per displacement: of the contact, of the linear tensioner")
+             "Force per displacement: of the contact, of the linear tensioner; a contact (guide, "
+             "pull tube, slider with a gap) begins softly: k pen^2/(4 mm) up to a penetration pen "
+             "of 2 mm, k (pen - 1 mm) beyond")
         .follows(
             "joints and clamps: ten times that of the element they hold; sliders 100 MN/m; none "
             "for "
@@ -151,17 +153,20 @@ const Table& constraint_keys() {
     static const Table table = [] {
         using C = ConstraintKeys;
         Keys<C> k("constraints");
-        k.choice("type", &C::type,
-                 std::vector<std::pair<std::string, ConstraintKind>>{
-                     {"ball_joint", ConstraintKind::ball_joint},
-                     {"flex_joint", ConstraintKind::flex_joint},
-                     {"clamp", ConstraintKind::clamp},
-                     {"tensioner", ConstraintKind::tensioner},
-                     {"guide", ConstraintKind::guide},
-                     {"slider", ConstraintKind::slider},
-                     {"pull_tube", ConstraintKind::pull_tube},
-                     {"winch", ConstraintKind::winch}},
-                 "Kind of constraint")
+        k.choice(
+             "type", &C::type,
+             std::vector<std::pair<std::string, ConstraintKind>>{
+                 {"ball_joint", ConstraintKind::ball_joint},
+                 {"flex_joint", ConstraintKind::flex_joint},
+                 {"clamp", ConstraintKind::clamp},
+                 {"tensioner", ConstraintKind::tensioner},
+                 {"guide", ConstraintKind::guide},
+                 {"slider", ConstraintKind::slider},
+                 {"pull_tube", ConstraintKind::pull_tube},
+                 {"winch", ConstraintKind::winch}},
+             "Kind of constraint; a guide or slider without arc holds what passes its plane and "
+             "must stand between the line's ends; a slider is a guide without friction, in both "
+             "senses where it has no gap; a winch stands at end A: no platform, place or arc")
             .required()
             .eg("guide");
         place_keys(k);
@@ -183,8 +188,8 @@ const Table& constraint_keys() {
             .at_most(turn)
             .eg("0 deg");
         k.points("paid_out", &C::paid_out, {dimension::time, length},
-                 "Of a winch at end A: rows of time and length paid out since the start (taken in: "
-                 "negative), straight between, constant outside")
+                 "Of a winch at end A, dynamic lines only: rows of time and length paid out since "
+                 "the start (taken in: negative), straight between, constant outside")
             .needed_with("type", {"winch"})
             .eg("[[0 s, 0 m], [600 s, 50 m]]");
         k.rule(KeyRule::Count::at_most_one, {"name", "names"});

@@ -198,6 +198,7 @@ class LineChecks {
         std::vector<Vec3> places = c.path;
         if (places.empty()) places.push_back(c.position);
         for (const Vec3& place : places) this->place(c, place);
+        if (!c.arc_length) between_ends(c);
         for (const Vec3& cylinder : c.cylinders) {
             if ((cylinder - c.position).dot(c.axis) > 0.0) continue;
             say(
@@ -240,6 +241,52 @@ class LineChecks {
                                 distance, reach));
             }
         }
+    }
+
+    /// Where end A is at the design position: where it is held, or above its tensioner's place.
+    std::optional<Vec3> top() const {
+        if (line_.end_a.kind != EndKind::free) return line_.end_a.position;
+        for (const LineConstraint& c : line_.constraints)
+            if (c.type == ConstraintType::tensioner)
+                return c.position + c.arc_length.value_or(0.0) * c.axis;
+        return std::nullopt;
+    }
+
+    /// Does a point of the line lie in the plane of a constraint that takes what passes it?
+    /// Certain of lines as good as straight, and of places above a heavy line or further away than
+    /// the line can go and come back; what sags is left to the statics.
+    void between_ends(const LineConstraint& c) {
+        using Type = ConstraintType;
+        if (c.type == Type::tensioner || c.type == Type::pull_tube || c.other_line >= 0) return;
+        if (line_.end_b.kind == EndKind::free || !top()) return;
+        if (c.position.z() < bed(c.position)) return;  // that has been told
+        const Vec3 a = *top(), b = line_.end_b.position;
+        const double from_a = (a - c.position).dot(c.axis), from_b = (b - c.position).dot(c.axis);
+        const bool slides = c.type == Type::guide || c.type == Type::slider;
+        constexpr double touching = 1e-6;
+        const bool at_end = slides && std::min(std::abs(from_a), std::abs(from_b)) <= touching;
+        if (from_a * from_b <= 0.0 && !at_end) return;
+        const Vec3 mirrored = b - 2.0 * from_b * c.axis;  // there and back in one straight line
+        const double length = line_.length() + stretch();
+        const bool adjusted = line_.target.adjust != StaticTarget::Adjust::none;
+        const bool straight = line_.end_a.kind == EndKind::free ||
+                              (!adjusted && line_.length() < 1.02 * (b - a).norm());
+        const bool above = submerged_weight(line_, case_) > 0.0 && c.axis.z() > 0.999 &&
+                           c.position.z() > std::max(a.z(), b.z());
+        const bool too_far = !adjusted && (a - mirrored).norm() > length;
+        if (!at_end && !straight && !above && !too_far) return;
+        const std::string found =
+            c.axis.z() > 0.999
+                ? fmt::format("stands at z = {:.6g} m, the line's ends at {:.6g} m and {:.6g} m",
+                              c.position.z(), a.z(), b.z())
+                : fmt::format(
+                      "the line's ends stand {:.6g} m and {:.6g} m from its place along "
+                      "its axis",
+                      from_a, from_b);
+        error(key_of(c),
+              fmt::format("\"{}\": {}: {}; expected a place between the ends", c.name, found,
+                          at_end ? "an end of the line would slip out at once"
+                                 : "no point of the line lies there"));
     }
 
     /// A riser held by tensioners at its top: is it long and tight enough?

@@ -153,7 +153,9 @@ const Table& line_type_keys() {
         for (const char* word : {"chain", "wire", "rope", "pipe", "general"}) {
             categories.emplace_back(word, word);
         }
-        k.choice("category", &T::category, categories, "Kind of line: rules and defaults follow")
+        k.choice("category", &T::category, categories,
+                 "Kind of line: rules and defaults follow; compression is carried, by chain, wire "
+                 "and rope too, and flagged in the summary")
             .required();
         k.number("nominal_diameter", &T::nominal_diameter, length,
                  "Diameter of the chain's bar, of the wire or rope")

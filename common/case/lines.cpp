@@ -380,7 +380,7 @@ const Table& line_keys() {
             .def("0 Pa")
             .at_least(0);
         k.later("reference_temperature", "For wall tension and stress");
-        k.map("fail", &LineKeys::fail, fail_keys, "A line of this family parts");
+        k.map("fail", &LineKeys::fail, fail_keys, "A line of this family parts; of dynamic lines");
         k.rule(KeyRule::Count::at_most_one, {"pretension", "hang_off_angle"});
         k.rule(KeyRule::Count::at_most_one, {"pattern", "positions", "each"});
         return k.done();

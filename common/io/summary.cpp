@@ -190,7 +190,7 @@ std::string courses_text(const RunRecord& record, const ResultDigest& digest) {
             "impulse mismatch between line and platform at constraints: {:.2g} %, at "
             "{}{}\n",
             100.0 * worst->second, worst->first,
-            worst->second > 0.01 ? "; above 1 % use quadratic_fit" : "");
+            worst->second > 0.01 ? "; above 1 % use force: impulse_matched" : "");
     return out;
 }
 
@@ -286,7 +286,7 @@ std::string impulses_text(const std::vector<ImpulseMismatch>& impulses) {
     for (const ImpulseMismatch& i : impulses)
         out += fmt::format("{:<{}} {} %{}\n", i.constraint, width, cell(100.0 * i.value, 10, 3),
                            i.value > large_mismatch
-                               ? "  large: a shorter platform step or force: quadratic_fit"
+                               ? "  large: a shorter platform step or force: impulse_matched"
                                : "");
     return out;
 }

@@ -2,9 +2,10 @@
 """Rows of scripts/validate that need whole runs of the truss spar, 600 s each.
 
 F4-*   the claim of the paper's Figure 4: platform steps of 0.5 and 1.0 s give the same motions
+F4-i   the same with the paper's force at the end of each pass (information: what knocks in guides cost)
 F4-p   order of the difference from 0.25, 0.5 and 1.0 s (information: the rods' own resampling of waves,
        of lower order, takes part in it)
-AM-*   the paper's undamped Adams-Moulton rule beside the recommended generalised-alpha scheme
+AM-*   the paper's undamped Adams-Moulton rule beside the recommended generalised-alpha scheme, same force
 
 Usage: validate_truss_spar.py HAWSER CASES-FOLDER
 """
@@ -65,7 +66,14 @@ def main():
             fine = rms_of_std(step[0.25], step[0.5], column)
             good &= row(f"F4-{name}", f"{name}, platform step 0.5 against 1.0 s, rms difference, % of std", 0, coarse, 0.3)
             print(f"F4-p-{name}: order between 0.25, 0.5 and 1.0 s: {math.log2(coarse / fine):.1f} ({fine:.4f} %, {coarse:.4f} %)")
-        paper = run(hawser, cases / "truss_spar" / "truss_spar_paper.yml", scratch / "paper")
+        force = "analysis.dynamics.coupling.force="
+        ends = [
+            run(hawser, case, scratch / f"ends{D}", f"analysis.dynamics.steps.platform={D} s", force + "instantaneous")
+            for D in (0.5, 1.0)
+        ]
+        for name, column in (("surge", 0), ("heave", 2), ("pitch", 4)):
+            print(f"F4-i-{name}: with the force at the end of each pass {rms_of_std(*ends, column):.4f} %")
+        paper = run(hawser, cases / "truss_spar" / "truss_spar_paper.yml", scratch / "paper", force + "impulse_matched")
         recommended = step[0.5]
         late = recommended["t"] >= RAMP
         a, b = paper["tension"][late], recommended["tension"][late]

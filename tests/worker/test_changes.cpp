@@ -189,6 +189,8 @@ TEST(Guide, ExertsNothingBeyondTheEndOfTheRod) {
 TEST(Failure, IsTheSameInEveryPassAndLeavesNeighboursAlone) {
     Case input = slack_chain();
     for (int i = 1; i < 4; ++i) input.lines.push_back(input.lines[0]);
+    // Matching the impulse would hand over what the other passes have returned.
+    input.analysis.dynamics.force = ForceFit::instantaneous;
     input.lines[1].fail = LineFailure{.time = 1.13, .arc_length = 0.0};
     input.lines[2].fail = LineFailure{.time = 0.61, .arc_length = 160.0};
     const Sea sea = still_sea(input);

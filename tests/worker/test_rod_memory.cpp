@@ -77,12 +77,14 @@ Case four_risers() {
     for (int i = 1; i < 4; ++i) input.lines.push_back(input.lines[0]);
     input.environment.waves = {WaveTrain{.type = WaveType::airy, .H = 8, .T = 11}};
     input.environment.current = Current{.profile = {{.depth = 0, .speed = 1.0}}};
-    input.analysis.dynamics.force = ForceFit::quadratic_fit;
     return input;
 }
 
-TEST(RodPass, TakesNoMemory) {
-    const Case input = four_risers();
+class RodPass : public ::testing::TestWithParam<ForceFit> {};
+
+TEST_P(RodPass, TakesNoMemory) {
+    Case input = four_risers();
+    input.analysis.dynamics.force = GetParam();
     const Sea sea(input.environment, 0.0, 0.0);
     RodPack<Quad> rods(input, sea, {0, 1, 2, 3});
     ASSERT_TRUE(rods.equilibrium({}, true).ok());
@@ -91,7 +93,8 @@ TEST(RodPass, TakesNoMemory) {
     const MotionSpline platform(0, still, 0.5, moved);
     const long before = taken;
     const Status first = rods.pass(0, 0.25, platform);
-    const Status last = rods.pass(0, 0.5, platform);
+    Status last = rods.pass(0, 0.25, platform);
+    for (int i = 0; i < 2 && last.ok(); ++i) last = rods.pass(0, 0.5, platform);
     rods.keep();
     EXPECT_EQ(taken - before, 0);
     EXPECT_TRUE(first.ok() && last.ok());
@@ -100,6 +103,8 @@ TEST(RodPass, TakesNoMemory) {
     EXPECT_GT(another.elements(), 0);
     EXPECT_GT(taken - before, 0);
 }
+INSTANTIATE_TEST_SUITE_P(Forces, RodPass,
+                         ::testing::Values(ForceFit::quadratic_fit, ForceFit::impulse_matched));
 
 TEST(RodPass, OfTiedRodsTakesNoMemory) {
     Case input = four_risers();

@@ -1,5 +1,4 @@
-// What constraints remember from step to step and report: loads, energy, and the impulse that rod
-// and platform took from each (R:40).
+// What constraints remember from step to step and report: loads, energy, impulse.
 #include <algorithm>
 
 #include "rod/lane_access.hpp"
@@ -69,37 +68,6 @@ void RodPack<V>::take_joint_axes(RodState<V>& s) {
         Vector<V>& axis = s.constraints()[n].axis;
         axis = select(c.axis_is_static, (V(1.0) / sqrt(dot(c.slope, c.slope))) * c.slope, axis);
     }
-}
-
-template <class V>
-void RodPack<V>::begin_impulses(double length) {
-    const auto thrown_away = static_cast<std::size_t>(passes_since_keep_);
-    for (PlacedConstraint<V>& c : constraints_) {
-        if (thrown_away > 0 && thrown_away <= c.used.size()) c.used[thrown_away - 1] = c.fitted;
-        c.fitted = {};
-    }
-    ++passes_since_keep_;
-    pass_length_ = length;
-}
-
-template <class V>
-void RodPack<V>::count_impulses() {
-    // R:40: the hull's four rates of a step took the force of the step's start and those of its
-    // first three passes; the fourth pass, which is kept, gives the first rate of the next step.
-    const bool paper_step = passes_since_keep_ == 4;
-    const V part(pass_length_ / 6.0), two(2.0);
-    for (std::size_t n = 0; n < constraints_.size(); ++n) {
-        const PlacedConstraint<V>& c = constraints_[n];
-        ConstraintState<V>& s = working_.constraints()[n];
-        if (paper_step) {
-            s.hull_impulse += part * (s.hull_force + two * c.used[0] + two * c.used[1] + c.used[2]);
-        } else {
-            s.impulse = s.hull_impulse = {};
-            s.impulse_size = V(0.0);
-        }
-        s.hull_force = c.fitted;
-    }
-    passes_since_keep_ = 0;
 }
 
 template <class V>
@@ -196,8 +164,6 @@ template void RodPack<Single>::keep_constraints(Single::Mask, Single, const RodS
                                                 RodState<Single>&);
 template auto RodPack<Single>::static_joint_axes() const -> Single::Mask;
 template void RodPack<Single>::take_joint_axes(RodState<Single>&);
-template void RodPack<Single>::begin_impulses(double);
-template void RodPack<Single>::count_impulses();
 template Vec3 RodPack<Single>::constraint_force(int, int) const;
 template Vec3 RodPack<Single>::constraint_point(int, int) const;
 template Vec3 RodPack<Single>::constraint_moment(int, int) const;
@@ -212,8 +178,6 @@ template void RodPack<Quad>::keep_constraints(Quad::Mask, Quad, const RodState<Q
                                               RodState<Quad>&);
 template auto RodPack<Quad>::static_joint_axes() const -> Quad::Mask;
 template void RodPack<Quad>::take_joint_axes(RodState<Quad>&);
-template void RodPack<Quad>::begin_impulses(double);
-template void RodPack<Quad>::count_impulses();
 template Vec3 RodPack<Quad>::constraint_force(int, int) const;
 template Vec3 RodPack<Quad>::constraint_point(int, int) const;
 template Vec3 RodPack<Quad>::constraint_moment(int, int) const;

@@ -26,4 +26,17 @@ void set_lane_vector(Vector<V>& to, int lane, const Vec3& x) {
     T::set(to.x, lane, x.x()), T::set(to.y, lane, x.y()), T::set(to.z, lane, x.z());
 }
 
+/// Force and moment of a lane as one load, and back.
+template <class V>
+[[nodiscard]] Vec6 lane_wrench(const Vector<V>& force, const Vector<V>& moment, int lane) {
+    Vec6 out;
+    out << lane_vector(force, lane), lane_vector(moment, lane);
+    return out;
+}
+template <class V>
+void set_lane_wrench(Vector<V>& force, Vector<V>& moment, int lane, const Vec6& x) {
+    set_lane_vector(force, lane, x.head<3>());
+    set_lane_vector(moment, lane, x.tail<3>());
+}
+
 }  // namespace hawser::worker

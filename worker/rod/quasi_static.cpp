@@ -128,10 +128,10 @@ auto RodGroup<V>::still_attempt(Mask wanted, double t0, double t1, V t,
 }
 
 template <class V>
-void RodPack<V>::begin_still_pass(double t0, double t1) {
+void RodPack<V>::begin_still_pass(double t0, double t1, const MotionSpline& platform) {
     static_ = true;
     working_ = kept_;
-    begin_impulses(t1 - t0);
+    begin_handing_over(t0, t1, platform);
     ++work_.passes;
     ++work_.steps;
     work_.rod_time += t1 - t0;
@@ -175,12 +175,13 @@ void RodPack<V>::end_still_pass(Mask solved, double t0, double t1, const MotionS
         fitted_[static_cast<std::size_t>(i)] = wrench(i, reference);
     for (std::size_t c = 0; c < constraints_.size(); ++c)
         constraints_[c].fitted = working_.constraints()[c].force;
+    end_handing_over();
 }
 
 template <class V>
 Status RodGroup<V>::still_pass(double t0, double t1, const MotionSpline& platform) {
     using T = LaneTraits<V>;
-    for (RodPack<V>& p : packs_) p.begin_still_pass(t0, t1);
+    for (RodPack<V>& p : packs_) p.begin_still_pass(t0, t1, platform);
     const double H = t1 - t0;
 
     // Straight to t1 as a rule; a lane that fails goes there in parts of the platform's way, which

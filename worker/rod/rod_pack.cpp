@@ -49,6 +49,7 @@ RodPack<V>::RodPack(const Case& input, const Sea& sea, std::vector<int> lines)
       guessed_(LaneTraits<V>::none()),
       axis_is_static_a_(LaneTraits<V>::none()),
       axis_is_static_b_(LaneTraits<V>::none()) {
+    if (scheme_.undamped()) newton.tolerance = NewtonControl::undamped_tolerance;
     for (Vec6& f : fitted_) f.setZero();
     set_properties(input);
     const std::size_t N = properties_.size();

@@ -83,8 +83,14 @@ struct PlacedConstraint {
     /// Carried to the solution of the linear system: force, force on the slope, moment of the joint
     Vector<V> force, slope_force, moment;
     ConstraintState<V> settled;     ///< of each lane's own last iteration
-    Vector<V> fitted;               ///< force as the pass returns it (P:5)
+    Vector<V> fitted;               ///< force as the pass returns it (P:5, R:48)
     std::array<Vector<V>, 3> used;  ///< the same of the passes before the kept one, R:40
+};
+
+/// What the passes of a platform step hand over of one line's load on the platform, R:48.
+struct LaneHandedOver {
+    std::array<Vec6, 3> used;  ///< as the passes before the kept one returned it [N, N.m]
+    Vec6 load, given;  ///< after the last step of the kept pass; its impulse so far [N.s, N.m.s]
 };
 
 /// The first section of a line that a winch pays out or takes in.
@@ -107,6 +113,8 @@ struct WorkCount {
 struct NewtonControl {
     double tolerance =
         0.005;  ///< largest nodal position correction that needs no further iteration [m]
+    /// The same of an undamped rule, which keeps what an iteration leaves
+    static constexpr double undamped_tolerance = 1e-4;
     int max_iterations = 8;
     int max_halvings = 6;
     /// The same of a quasi-static pass, and parts into which the platform's way is cut at most
@@ -152,7 +160,8 @@ class RodPack {
 
     /// Load of a lane on the platform about `reference` [N, N.m] in the working state.
     [[nodiscard]] Vec6 wrench(int lane, const Vec3& reference) const;
-    /// The same as the pass returns it: instantaneous, or the fit of the force over the pass (P:5).
+    /// The same as the pass returns it: instantaneous, the fit of the force over the pass (P:5), or
+    /// with what the platform is still owed (R:48).
     [[nodiscard]] const Vec6& pass_wrench(int lane) const {
         return fitted_[static_cast<std::size_t>(lane)];
     }
@@ -278,10 +287,17 @@ class RodPack {
         return {&working_.nodes()[e], &working_.nodes()[e + 1],
                 working_.grips() + e * gauss_points};
     }
+
+    // hull_impulse.cpp
+    [[nodiscard]] bool matches_impulse() const;
+    void begin_handing_over(double t0, double t1, const MotionSpline& platform);
     void add_to_fit(int lane, int i, int n, const MotionSpline& platform);
+    void add_to_given(int lane, double h, const MotionSpline& platform);
+    void end_handing_over();
+    void take_static_load(const PlatformMotion& pose);
 
     // quasi_static.cpp
-    void begin_still_pass(double t0, double t1);
+    void begin_still_pass(double t0, double t1, const MotionSpline& platform);
     void end_still_pass(Mask solved, double t0, double t1, const MotionSpline& platform);
     void begin_still_attempt(V t, const MotionSpline& platform);
     void reach(Mask good);
@@ -360,8 +376,6 @@ class RodPack {
     void take_joint_axes(RodState<V>& s);
     /// Lanes with a joint along the rod whose axis is the static tangent.
     [[nodiscard]] Mask static_joint_axes() const;
-    void begin_impulses(double length);
-    void count_impulses();
     template <class Combine>
     void for_points_of(int c, Combine&& combine) const;
 
@@ -417,9 +431,10 @@ class RodPack {
     TimeScheme scheme_;
     Bed bed_;
     double gravity_ = 9.80665, water_density_ = 1025.0;
-    ForceFit force_ = ForceFit::instantaneous;
+    ForceFit force_ = ForceFit::impulse_matched;
     LineModel model_ = LineModel::dynamic;
     std::array<Vec6, static_cast<std::size_t>(lanes)> fitted_{};
+    std::array<LaneHandedOver, static_cast<std::size_t>(lanes)> handed_{};
     double ramp_ = 0.0, platform_step_ = 0.5, wave_step_ = 0.25;
     V line_step_{};
     std::vector<Curve> curves_;  ///< tension tables, and which one an element of a lane has; or -1

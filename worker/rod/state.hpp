@@ -71,7 +71,9 @@ struct RodHead {
     Vector<V> moment_a, moment_b;  ///< moment of the joints at the ends on the rod [N.m]
     Vector<V> axis_a, axis_b;      ///< slope-constraint axes, from B to A, on their own frame
     Vector<V> pose_position, pose_angles;  ///< of the platform at the last static solution
-    V wave_index{};                        ///< last grid time j of R:19 sampled; none: -1
+    // R:48: load on the hull as its last rate took it [N, N.m], impulse still owed [N.s, N.m.s]
+    Vector<V> hull_force, hull_moment, owed_force, owed_moment;
+    V wave_index{};  ///< last grid time j of R:19 sampled; none: -1
 };
 
 template <class V>

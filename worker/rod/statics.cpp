@@ -528,8 +528,7 @@ Status RodGroup<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
     for (RodPack<V>& p : packs_) {
         p.set_pose(pose);
         p.finish_statics(used());
-        for (int i = 0; i < static_cast<int>(p.lines_.size()); ++i)
-            p.fitted_[static_cast<std::size_t>(i)] = p.wrench(i, pose.position);
+        p.take_static_load(pose);
     }
     return {};
 }

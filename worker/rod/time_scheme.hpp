@@ -23,6 +23,8 @@ struct TimeScheme {
         beta = (gamma + 0.5) * (gamma + 0.5) / 4;
         g_damper = 1 / (1 + rho);
     }
+    /// Does it keep a sawtooth for ever? (adams_moulton, spectral radius 1)
+    [[nodiscard]] bool undamped() const { return g_damper <= 0.5; }
     /// da/dx [1/s2] of one step of length h.
     template <class V>
     [[nodiscard]] V a0(V h) const {

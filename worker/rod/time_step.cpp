@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "force_fit.hpp"
 #include "rod/lane_access.hpp"
 #include "rod/rod_group.hpp"
 
@@ -156,7 +155,7 @@ void RodPack<V>::begin_pass(double t0, double t1, const MotionSpline& platform, 
     if (sampled < 0.0 || (sampled + 1e-9) * wave_step_ < t0 + platform_step_)
         refresh_water(t0 + platform_step_, platform.at(t0).motion);
     working_ = kept_;  // always from the kept state
-    begin_impulses(t1 - t0);
+    begin_handing_over(t0, t1, platform);
     ++work_.passes;
     work_.rod_time += t1 - t0;
     // on a change of step A <- a + (h/h_old)(A - a)
@@ -166,7 +165,6 @@ void RodPack<V>::begin_pass(double t0, double t1, const MotionSpline& platform, 
         node[n].A = node[n].a + ratio * (node[n].A - node[n].a);
         node[n].Ad = node[n].ad + ratio * (node[n].Ad - node[n].ad);
     }
-    for (Vec6& sum : fitted_) sum.setZero();
 }
 
 template <class V>
@@ -307,6 +305,7 @@ Status RodGroup<V>::dynamic_pass(double t0, double t1, const MotionSpline& platf
             Clock& c = clock[static_cast<std::size_t>(i)];
             if (T::get(accepted, i)) {
                 ++c.done;
+                for (RodPack<V>& p : packs_) p.add_to_given(i, c.h, platform);
                 const double q =
                     (T::get(t_new, i) - t0) / H * c.coarse;  // halved steps do not count
                 if (std::abs(q - std::round(q)) < 1e-6)
@@ -331,6 +330,7 @@ Status RodGroup<V>::dynamic_pass(double t0, double t1, const MotionSpline& platf
             for (RodPack<V>& p : packs_) p.restart_rates(i);
         }
     }
+    for (RodPack<V>& p : packs_) p.end_handing_over();
     return failed;
 }
 
@@ -339,33 +339,11 @@ Status RodPack<V>::pass(double t0, double t1, const MotionSpline& platform) {
     return RodGroup<V>(std::span(this, 1)).pass(t0, t1, platform);
 }
 
-template <class V>
-void RodPack<V>::add_to_fit(int lane, int i, int n, const MotionSpline& platform) {
-    const double weight = fit_weight(force_, i, n);
-    if (weight == 0.0) return;
-    const double t = LaneTraits<V>::get(working_.head().t, lane);
-    fitted_[static_cast<std::size_t>(lane)] +=
-        weight * wrench(lane, platform.at(t).motion.position);
-    for (std::size_t c = 0; c < constraints_.size(); ++c) {
-        const Vec3 sum = lane_vector(constraints_[c].fitted, lane) +
-                         weight * lane_vector(working_.constraints()[c].force, lane);
-        set_lane_vector(constraints_[c].fitted, lane, sum);
-    }
-}
-
-template <class V>
-void RodPack<V>::keep() {
-    count_impulses();
-    kept_ = working_;
-}
-
 template Status RodPack<Single>::pass(double, double, const MotionSpline&);
-template void RodPack<Single>::keep();
 template void RodPack<Single>::accept(Single::Mask, Single, Single);
 template void RodPack<Single>::prepare_material(const RodState<Single>&, Single);
 template auto RodGroup<Single>::dynamic_pass(double, double, const MotionSpline&) -> Status;
 template Status RodPack<Quad>::pass(double, double, const MotionSpline&);
-template void RodPack<Quad>::keep();
 template void RodPack<Quad>::accept(Quad::Mask, Quad, Quad);
 template void RodPack<Quad>::prepare_material(const RodState<Quad>&, Quad);
 template auto RodGroup<Quad>::dynamic_pass(double, double, const MotionSpline&) -> Status;

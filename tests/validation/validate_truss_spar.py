@@ -76,7 +76,8 @@ def main():
         paper = run(hawser, cases / "truss_spar" / "truss_spar_paper.yml", scratch / "paper", force + "impulse_matched")
         recommended = step[0.5]
         late = recommended["t"] >= RAMP
-        a, b = paper["tension"][late], recommended["tension"][late]
+        held = recommended["tension"][late].std(0) > 0  # a free top above its tensioner has no tension
+        a, b = paper["tension"][late][:, held], recommended["tension"][late][:, held]
         good &= row("AM-std", "std of end tensions, Adams-Moulton against generalised-alpha, largest change, %", 0,
                     100 * np.abs(a.std(0) / b.std(0) - 1).max(), 0.1)
         print(f"AM: largest difference of an end tension at any sample: {np.abs(a - b).max():.1f} N")

@@ -33,26 +33,29 @@ bool LedgerTable::is_loaded(int motion) const {
 Ledger::Ledger(std::vector<std::string> components)
     : components_(std::move(components)),
       integral_(components_.size(), Vec6::Zero()),
-      last_(components_.size(), Vec6::Zero()) {}
+      step_(components_.size(), Vec6::Zero()) {}
 
-void Ledger::add(double t, std::span<const Vec6> loads, const Vec6& momentum,
-                 const Vec3& velocity) {
-    assert(loads.size() == components_.size());
-    const Vec3 linear = momentum.head<3>();
-    const Vec3 rate = velocity.cross(linear);
+void Ledger::at_step(double t, const Vec6& momentum) {
     if (n_ == 0) {
         first_t_ = t;
         first_momentum_ = momentum;
     } else {
-        const double half = 0.5 * (t - last_t_);
-        for (std::size_t k = 0; k < loads.size(); ++k) integral_[k] += half * (last_[k] + loads[k]);
-        turning_ += half * (last_rate_ + rate);
+        for (std::size_t k = 0; k < step_.size(); ++k) integral_[k] += step_[k];
+        turning_ += step_turning_;
     }
-    std::copy(loads.begin(), loads.end(), last_.begin());
+    std::fill(step_.begin(), step_.end(), Vec6::Zero());
+    step_turning_.setZero();
     last_t_ = t;
     last_momentum_ = momentum;
-    last_rate_ = rate;
     ++n_;
+}
+
+void Ledger::act(double duration, std::span<const Vec6> loads, const Vec6& momentum,
+                 const Vec3& velocity) {
+    assert(loads.size() == components_.size());
+    for (std::size_t k = 0; k < loads.size(); ++k) step_[k] += duration * loads[k];
+    const Vec3 linear = momentum.head<3>();
+    step_turning_ += duration * velocity.cross(linear);
 }
 
 LedgerTable Ledger::table() const {

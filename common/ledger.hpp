@@ -30,34 +30,42 @@ struct LedgerTable {
 /// A residual_fraction that a reader should know of.
 inline constexpr double large_residual = 0.005;
 
-/// Accumulates a ledger over the platform's steps. Components are averaged with trapezoid weights.
-/// The momentum side needs no acceleration: with p the linear momentum and L the angular momentum
-/// about the moving point O, P:2 integrated over T is
+/// Accumulates a ledger from the evaluations that moved the platform. Each load counts for the time
+/// that the integration scheme lets it act, D/6, D/3, D/3 and D/6 in P:3, so that the means are
+/// those of what really pushed. The momentum side needs no acceleration: with p the linear momentum
+/// and L the angular momentum about the moving point O, P:2 integrated over T is
 ///
 ///     mean F   = (p(T) - p(0)) / T
 ///     mean M_O = (L(T) - L(0) + integral of v_O x p dt) / T
 ///
 /// since dL/dt = M_O - v_O x p. Momentum is that of the rigid mass alone: the inertia of the added
-/// mass stands among the loads, with radiation.
+/// mass stands among the loads, with radiation. What is left over is rounding where momentum is
+/// linear in the state and of order D^4 where the body turns.
 class Ledger {
  public:
     explicit Ledger(std::vector<std::string> components);
 
-    /// The state at the end of a step, in order of time.
-    /// @param t [s]
-    /// @param loads one per component, force [N] and moment about O [N.m]
+    /// The state between two steps; takes in what acted since the one before.
+    /// @param t [s], rising
     /// @param momentum linear [N.s] and angular about O [N.m.s] of the rigid mass
-    /// @param velocity of O [m/s]
-    void add(double t, std::span<const Vec6> loads, const Vec6& momentum, const Vec3& velocity);
+    void at_step(double t, const Vec6& momentum);
+    /// What acts in the step that has begun, an evaluation of it. A step that is never closed by
+    /// at_step() does not count.
+    /// @param duration  weight of the evaluation times the step [s]
+    /// @param loads     one per component, force [N] and moment about O [N.m]
+    /// @param momentum  as above, at this evaluation
+    /// @param velocity  of O [m/s]
+    void act(double duration, std::span<const Vec6> loads, const Vec6& momentum,
+             const Vec3& velocity);
 
-    /// Everything added so far; zero rows with fewer than two states.
+    /// All whole steps so far; zero rows before the first of them.
     [[nodiscard]] LedgerTable table() const;
 
  private:
     std::vector<std::string> components_;
-    std::vector<Vec6> integral_, last_;
+    std::vector<Vec6> integral_, step_;  // of whole steps, of the step that has begun
     Vec6 first_momentum_ = Vec6::Zero(), last_momentum_ = Vec6::Zero();
-    Vec3 turning_ = Vec3::Zero(), last_rate_ = Vec3::Zero();  // integral of v_O x p, last v_O x p
+    Vec3 turning_ = Vec3::Zero(), step_turning_ = Vec3::Zero();  // integrals of v_O x p
     double first_t_ = 0.0, last_t_ = 0.0;
     int n_ = 0;
 };

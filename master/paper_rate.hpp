@@ -2,6 +2,7 @@
 // motion at its end. P:2, P:3.
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -33,6 +34,9 @@ template <class Platform>
 class PaperRate {
  public:
     using Loads = decltype(std::declval<const Platform&>().loads(0.0, std::declval<State>()));
+    /// Sees every evaluation that succeeds, in order: its stage (0: the static start, 1 to 4), its
+    /// time [s] and its state. What led to it: loads(), reply() ...
+    using Watch = std::function<void(int stage, double t, const State& s)>;
 
     /// @param static_reply the lines' loads at the static start, t = 0
     PaperRate(const Platform& platform, Lines& lines, const Reply& static_reply)
@@ -41,7 +45,7 @@ class PaperRate {
     /// At the static start: no pass, the lines' loads are the static ones.
     [[nodiscard]] State at_start(const State& y) {
         loads_ = platform_.loads(0.0, y);
-        return platform_.rate(0.0, y, loads_, wrench_, &acceleration_);
+        return watched(0, 0.0, y);
     }
 
     /// Sends the lines from their kept state at t0, where the platform is y, along the spline to s
@@ -66,11 +70,13 @@ class PaperRate {
         if (!reply.status.ok()) throw LinesFailed(reply.status, stage);
         reply_.lines = reply.lines;
         wrench_ = total_wrench(reply);
-        return platform_.rate(t1, s, loads_, wrench_, &acceleration_);
+        return watched(stage, t1, s);
     }
 
     /// The pass that ended last is the one the lines keep: a flag in the next order, no message.
     void keep() { next_.keep_previous = true; }
+
+    void watch(Watch watch) { watch_ = std::move(watch); }
 
     /// Flags that the next order carries (the recorder sets them).
     [[nodiscard]] Order& next() { return next_; }
@@ -82,12 +88,20 @@ class PaperRate {
     [[nodiscard]] const Vec6& acceleration() const { return acceleration_; }
 
  private:
+    /// The equation of motion, told to the watcher.
+    State watched(int stage, double t, const State& s) {
+        const State rate = platform_.rate(t, s, loads_, wrench_, &acceleration_);
+        if (watch_) watch_(stage, t, s);
+        return rate;
+    }
+
     const Platform& platform_;
     Lines& lines_;
     Order next_;
     Loads loads_{};
     Reply reply_;
     Vec6 wrench_, acceleration_ = Vec6::Zero();
+    Watch watch_;
 };
 
 }  // namespace hawser::master

@@ -24,7 +24,9 @@ std::vector<std::string> ledger_components(const Case& input) {
 }  // namespace
 
 PlatformLedger::PlatformLedger(const Case& input)
-    : from_(input.analysis.dynamics.statistics_from), ledger_(ledger_components(input)) {
+    : from_(input.analysis.dynamics.statistics_from),
+      D_(input.analysis.dynamics.platform_step),
+      ledger_(ledger_components(input)) {
     const std::vector<std::string> names = ledger_components(input);
     for (const Line& line : input.lines)  // from the end: a family may be called like a load
         family_.push_back(static_cast<std::size_t>(
@@ -32,16 +34,21 @@ PlatformLedger::PlatformLedger(const Case& input)
     loads_.resize(names.size());
 }
 
-void PlatformLedger::add(double t, const HullLoads& loads, const Reply& lines, const Vec6& momentum,
-                         const Vec3& velocity) {
-    if (!counts(t, from_)) return;
+void PlatformLedger::add(int stage, double t, const HullLoads& loads, const Reply& lines,
+                         const Vec6& momentum, const Vec3& velocity) {
+    const bool between_steps = stage == 0 || stage == 4;
+    if (states_ == 0 && (!between_steps || !counts(t, from_))) return;
+    if (between_steps) {
+        ledger_.at_step(t, momentum);
+        ++states_;
+    }
     std::fill(loads_.begin(), loads_.end(), Vec6::Zero());
     std::size_t k = 0;
     for (int i = 0; i < load_count; ++i)
         if (static_cast<Load>(i) != Load::lines) loads_[k++] = loads[static_cast<Load>(i)];
     for (std::size_t i = 0; i < family_.size(); ++i) loads_[family_[i]] += lines.lines[i].wrench;
-    ledger_.add(t, loads_, momentum, velocity);
-    ++states_;
+    const double weight = stage == 1 || stage == 2 ? 1.0 / 3.0 : 1.0 / 6.0;  // of P:3
+    ledger_.act(weight * D_, loads_, momentum, velocity);
 }
 
 }  // namespace hawser::master

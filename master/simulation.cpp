@@ -74,6 +74,10 @@ void Simulation::coupled() {
     keep_statics(&start.equilibrium, start.at_rest);
     keep_platform_facts(start);
     PaperRate<Hull> rate(*hull_, lines_, start.lines);
+    rate.watch([&](int stage, double t, const State& s) {
+        ledger_.add(stage, t, rate.loads(), rate.reply(), hull_->momentum(s),
+                    motion_of(s).velocity);
+    });
     clock_.start(waited());
     paper_loop(rate, hull_->start(start.equilibrium, start.start), D_,
                [&](int step, double t, const State& y) {
@@ -82,7 +86,6 @@ void Simulation::coupled() {
                        recorder_.sample(t);
                        recorder_.platform(y, rate.acceleration(), rate.loads());
                    }
-                   ledger_.add(t, rate.loads(), rate.reply(), hull_->momentum(y), motion.velocity);
                    return go_on(step, t, rate.next(), &motion, rate.reply());
                });
 }

@@ -268,9 +268,9 @@ std::string ledger_text(const LedgerTable& ledger, double step) {
         "-: nothing acts\n";
     if (!large.empty())
         out += fmt::format(
-            "! residual above {:g} %: {}. The means are taken from the loads at the platform's "
-            "steps:\n  loads that swing fast, or by much more than they are in the mean, want a "
-            "shorter one than {:g} s\n  (try half of it) or a longer time to be counted\n",
+            "! residual above {:g} %: {}. The loads that acted do not explain the change of "
+            "momentum:\n  a load is missing or counted twice, or the platform turns fast within a "
+            "step of {:g} s\n  (with half of it the residual of turning falls sixteenfold)\n",
             100.0 * large_residual, large, step);
     return out;
 }

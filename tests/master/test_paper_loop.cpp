@@ -127,6 +127,27 @@ TEST(PaperLoop, KeepsItsOrderUnderAQuadraticFitAndTwoUnderALinearOne) {
     EXPECT_GT(std::log2(q1 / q2), 2.9);
 }
 
+TEST(PaperLoop, TellsAWatcherEveryEvaluationWithWhatLedToIt) {  // P:3
+    Body body;
+    body.force = [](double t) { return Vec6(t * Vec6::Ones()); };
+    SpringLines lines({Vec6::Constant(1.0)});
+    Reply start;
+    start.lines.resize(1);
+    PaperRate<Body> rate(body, lines, start);
+    std::vector<int> stages;
+    std::vector<double> times;
+    rate.watch([&](int stage, double t, const State& s) {
+        stages.push_back(stage);
+        times.push_back(t);
+        EXPECT_EQ(rate.loads().outer[0], t);
+        EXPECT_EQ(rate.reply().lines[0].wrench[0], -s[0]);
+        EXPECT_EQ(rate.acceleration()[0], t - s[0]);
+    });
+    paper_loop(rate, State::Zero(), 0.5, [](int step, double, const State&) { return step < 2; });
+    EXPECT_EQ(stages, (std::vector<int>{0, 1, 2, 3, 4, 1, 2, 3, 4}));
+    EXPECT_EQ(times, (std::vector<double>{0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1, 1}));
+}
+
 TEST(PaperLoop, MakesFourPassesOfThreeStepsOfLineTimePerStep) {  // P:3: D/2 + D/2 + D + D
     for (ForceFit fit : {ForceFit::instantaneous, ForceFit::linear_fit, ForceFit::quadratic_fit}) {
         SprungMassAndGround lines((TwoMasses()));

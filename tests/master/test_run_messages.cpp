@@ -1,11 +1,10 @@
-// What a run says: progress, failing lines, the ledger's components.
+// What a run says: progress, failing lines.
 #include <gtest/gtest.h>
 
 #include <csignal>
 #include <cstdlib>
 
 #include "failure_message.hpp"
-#include "platform_ledger.hpp"
 #include "progress.hpp"
 #include "stop_signal.hpp"
 
@@ -66,35 +65,6 @@ TEST(FailureMessage, NamesLineTimeStageResidualPlaceAndCause) {
 TEST(FailureMessage, CflIsAxialWaveSpeedTimesStepOverElement) {
     // sqrt(4e9 / 250) = 4000 m/s; 4000 x 0.02 / 10 = 8
     EXPECT_NEAR(largest_cfl(two_lines().lines[0], two_lines()), 8.0, 1e-9);
-}
-
-TEST(PlatformLedger, HasHullLoadsAndFamiliesAndBeginsWhenTheStatisticsDo) {
-    Case c = two_lines();
-    c.lines.push_back(c.lines[0]);
-    c.lines[2].family = "wave1";  // a family may be called like a load
-    c.analysis.dynamics.statistics_from = 1.0;
-    PlatformLedger ledger(c);
-    HullLoads loads;
-    loads[Load::wave1] = 3.0 * Vec6::Ones();
-    loads[Load::lines] = 1e9 * Vec6::Ones();  // not counted twice
-    Reply reply;
-    reply.lines.resize(3);
-    for (int i = 0; i < 3; ++i) reply.lines[std::size_t(i)].wrench.setConstant(std::pow(10.0, i));
-    ledger.add(0.5, loads, reply, 1e9 * Vec6::Ones(), Vec3::Zero());
-    EXPECT_FALSE(ledger.started());
-    ledger.add(1.0, loads, reply, Vec6::Zero(), Vec3::Zero());
-    ledger.add(3.0, loads, reply, 8.0 * Vec6::Ones(), Vec3::Zero());
-    ASSERT_TRUE(ledger.started());
-    const LedgerTable table = ledger.table();
-    ASSERT_EQ(table.components.size(), 12U);
-    EXPECT_EQ(table.components[10], "scr");
-    EXPECT_EQ(table.components[11], "wave1");
-    EXPECT_EQ(table.mean[0], Vec6(3.0 * Vec6::Ones()));
-    EXPECT_EQ(table.mean[10], Vec6(11.0 * Vec6::Ones()));
-    EXPECT_EQ(table.mean[11], Vec6(100.0 * Vec6::Ones()));
-    EXPECT_EQ(table.momentum, Vec6(4.0 * Vec6::Ones()));
-    EXPECT_EQ(table.from, 1.0);
-    EXPECT_EQ(table.to, 3.0);
 }
 
 TEST(StopSignalDeathTest, ASecondInterruptEndsAtOnceWithSeven) {

@@ -104,8 +104,8 @@ TEST(Simulation, LedgerClosesOnTheChangeOfMomentum) {
     // m (z'(40) - z'(20)) / 20 s from the closed form; the difference quotient errs by 1e-6.
     const auto rate = [&](double t) { return (buoy.z(t + 1e-4) - buoy.z(t - 1e-4)) / 2e-4; };
     EXPECT_NEAR(momentum[2], buoy.m * (rate(40.0) - rate(20.0)) / 20.0, 100.0);
-    // Trapezoidal rule: (D w)^2 / 12 = 4e-4 of the radiation's swing of some 1e5 N
-    EXPECT_LT(std::abs(residual[2]), 100.0);
+    // Heave alone: momentum is linear in the state, what is left is rounding of loads of 1e8 N
+    EXPECT_LT(std::abs(residual[2]), 1e-3);
     EXPECT_GT(std::abs(momentum[2]), 1000.0);
 }
 

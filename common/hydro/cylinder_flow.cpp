@@ -96,8 +96,8 @@ CylinderFlow::Projected CylinderFlow::projected(std::size_t column, ColumnModes 
     };
     if (c.opening >= 0) p.outer = of(c.opening);
     int rows = 0;
-    for (int o = 0; o < c.openings; ++o)
-        rows += count_[static_cast<std::size_t>(c.first_opening + o)];
+    for (int o = c.first_opening; o < c.first_opening + c.openings; ++o)
+        rows += count_[static_cast<std::size_t>(o)];
     p.inner.resize(rows, modes.size());
     rows = 0;
     for (int o = c.first_opening; o < c.first_opening + c.openings; ++o) {

@@ -135,6 +135,7 @@ Partition partition_of(const Hull& hull) {
             large.moving_top = !large.surface;
             large.moving_bottom = z.low > -hull.depth;
             std::vector<Span> open;
+            open.reserve(inside.size());
             for (const int c : inside) open.push_back(p.columns[static_cast<std::size_t>(c)].z);
             if (inner > 0.0) large.walls = rest_of(z, joined(open));
             large.first_opening = static_cast<int>(p.openings.size());

@@ -90,7 +90,7 @@ class PaperRate {
  private:
     /// The equation of motion, told to the watcher.
     State watched(int stage, double t, const State& s) {
-        const State rate = platform_.rate(t, s, loads_, wrench_, &acceleration_);
+        State rate = platform_.rate(t, s, loads_, wrench_, &acceleration_);
         if (watch_) watch_(stage, t, s);
         return rate;
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "case/build_constraints.hpp"
 #include "line_mesh.hpp"
@@ -166,6 +167,10 @@ class LineChecks {
                                        end->position.z(), floor));
             }
         }
+        for (const auto& [end, key, arc] :
+             {std::tuple{&line_.end_a, ".end_a", 0.0}, std::tuple{&line_.end_b, ".end_b", length}})
+            if (end->kind != EndKind::free && end->joint == Joint::clamped && limp_at(arc))
+                error(key, no_clamp);
         double travel = 0.0;
         for (const Section& s : line_.sections) {
             travel +=
@@ -179,6 +184,22 @@ class LineChecks {
         }
     }
 
+    static constexpr const char* no_clamp =
+        "a clamp holds a direction, and a line without bending stiffness has none to hold; "
+        "expected "
+        "EI above 0 there, or a ball joint";
+
+    /// Has the line no bending stiffness at an arc length?
+    [[nodiscard]] bool limp_at(double arc_length) const {
+        double begins = 0.0;
+        for (const Section& s : line_.sections) {
+            begins += s.length;
+            if (arc_length > begins + 1e-9 * begins) continue;
+            return mean(s, [](const LineType& t) { return t.EI; }) == 0.0;
+        }
+        return false;
+    }
+
     void constraint(const LineConstraint& c) {
         const std::string key = key_of(c);
         const auto say = [&](const std::string& message) {
@@ -190,6 +211,13 @@ class LineChecks {
                             "step of the rods resolves such an impact; 1e10 N/m is the limit",
                             c.stiffness));
         }
+        const bool limp =
+            c.arc_length
+                ? limp_at(*c.arc_length)
+                : std::all_of(line_.sections.begin(), line_.sections.end(), [&](const Section& s) {
+                      return mean(s, [](const LineType& t) { return t.EI; }) == 0.0;
+                  });
+        if (c.type == ConstraintType::clamp && limp) say(no_clamp);
         if (c.friction > 1.0) {
             warning(key, fmt::format("\"{}\": coefficient of friction {:.3g}; steel has 0.1 to 0.5",
                                      c.name, c.friction));

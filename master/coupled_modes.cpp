@@ -24,19 +24,23 @@ struct Found {
     double omega_squared = 0.0;
     Vec6 x = Vec6::Zero();                               ///< of norm 1 in M
     Mat6 mass = Mat6::Zero(), stiffness = Mat6::Zero();  ///< of the lines, there
+    Mat6 platform_mass = Mat6::Zero();
     bool converged = false;
 };
 
 /// One mode, from its frequency and shape with the lines' static stiffness.
-Found improved(const Mat6& K, const Mat6& M, const LineStiffness& lines, double squared,
+Found improved(const Mat6& K, const MassAt& mass_at, const LineStiffness& lines, double squared,
                const Vec6& start, const std::vector<Found>& before) {
     Found at{.omega_squared = squared, .x = start};
+    at.platform_mass = mass_at(0.0);
     at.stiffness = lines(0.0);
     at.converged = squared <= 0.0;
     for (int i = 0; i < 50 && !at.converged; ++i) {
         const double omega = std::sqrt(at.omega_squared);
         at.stiffness = lines(omega);
         at.mass = line_inertia(lines, omega);
+        at.platform_mass = mass_at(omega);
+        const Mat6& M = at.platform_mass;
         Mat6 mass = M + at.mass;
         if (Eigen::SelfAdjointEigenSolver<Mat6>(mass).eigenvalues()[0] <= 0.0) mass = M;
         const Mat6 extra = mass - M;
@@ -59,7 +63,11 @@ Found improved(const Mat6& K, const Mat6& M, const LineStiffness& lines, double 
         if (at.omega_squared <= 0.0) break;
     }
     if (!at.converged)  // among the lines' own resonances
-        at = {.omega_squared = squared, .x = start, .stiffness = lines(0.0), .converged = false};
+        at = {.omega_squared = squared,
+              .x = start,
+              .stiffness = lines(0.0),
+              .platform_mass = mass_at(0.0),
+              .converged = false};
     return at;
 }
 
@@ -91,9 +99,9 @@ LineStiffness line_stiffness_of(Lines& lines, const PlatformMotion& pose) {
     };
 }
 
-std::array<CoupledMode, 6> coupled_modes(const Mat6& platform, const Mat6& M,
+std::array<CoupledMode, 6> coupled_modes(const Mat6& platform, const MassAt& mass,
                                          const LineStiffness& lines) {
-    const Mat6 K = symmetric(platform);
+    const Mat6 K = symmetric(platform), M = mass(0.0);
     const Mat6 S = lines(0.0);
     const Solver statics(Mat6(K + S), M);
     const double stiffest = statics.eigenvalues()[5];
@@ -103,14 +111,15 @@ std::array<CoupledMode, 6> coupled_modes(const Mat6& platform, const Mat6& M,
         // a mode without stiffness: rounding leaves about 1e-12 of the stiffest
         if (std::abs(squared) <= 1e-9 * stiffest) squared = 0.0;
         const Vec6 v = statics.eigenvectors().col(k);
-        found.push_back(improved(K, M, lines, squared, v, found));
+        found.push_back(improved(K, mass, lines, squared, v, found));
     }
 
     // The pair of mode and motion with the greatest share first.
     std::vector<std::tuple<double, int, int>> shares;  // share, mode, motion
     for (int k = 0; k < 6; ++k) {
         const Vec6& x = found[static_cast<std::size_t>(k)].x;
-        const Vec6 energy = x.cwiseProduct(Vec6(M * x));
+        const Vec6 energy =
+            x.cwiseProduct(Vec6(found[static_cast<std::size_t>(k)].platform_mass * x));
         for (int motion = 0; motion < 6; ++motion) shares.emplace_back(energy[motion], k, motion);
     }
     std::sort(shares.begin(), shares.end(), std::greater<>());

@@ -17,16 +17,21 @@ using LineStiffness = std::function<Mat6(double omega)>;
 /// Asks the lines, which have found their equilibrium at the platform's pose.
 LineStiffness line_stiffness_of(Lines& lines, const PlatformMotion& pose);
 
-/// Solves [ K + S(w) - w^2 M ] x = 0 for the six modes in which the platform moves. From the modes
-/// with the lines' static stiffness each frequency is improved by the linear eigenproblem
+/// Mass of the platform with the added mass of an angular frequency, about O; symmetric, positive
+/// definite.
+using MassAt = std::function<Mat6(double omega)>;
+
+/// Solves [ K + S(w) - w^2 M(w) ] x = 0 for the six modes in which the platform moves. From the
+/// modes with the lines' static stiffness each frequency is improved by the linear eigenproblem
 ///
-///     [ K + S(w_n) + w_n^2 m(w_n) ] x = w^2 [ M + m(w_n) ] x,     m = -dS/d(w^2)
+///     [ K + S(w_n) + w_n^2 m(w_n) ] x = w^2 [ M(w_n) + m(w_n) ] x,     m = -dS/d(w^2)
 ///
 /// taking the mode whose shape is nearest to the last one. m is the lines' inertia in that motion.
 ///
 /// @param K  stiffness of the platform alone about O, made symmetric here
-/// @param M  its mass with added mass about O, symmetric, positive definite
+/// @param M  its mass with added mass about O
 /// @return   in the order surge ... yaw of the motion with the greatest part of the kinetic energy
-std::array<CoupledMode, 6> coupled_modes(const Mat6& K, const Mat6& M, const LineStiffness& lines);
+std::array<CoupledMode, 6> coupled_modes(const Mat6& K, const MassAt& M,
+                                         const LineStiffness& lines);
 
 }  // namespace hawser::master

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "status.hpp"
@@ -14,10 +15,22 @@ namespace hawser::master {
 namespace {
 constexpr double steepest_pitch = 80.0 * M_PI / 180.0;  // K:2: det E = cos(pitch)
 
+Mat6 infinite_added_mass(const HydroData& data, const Hydrodynamics& h) {
+    if (data.added_mass_inf) return *data.added_mass_inf;
+    if (h.database && h.database->estimate_infinite)
+        return estimated_infinite_added_mass(data, h.memory->duration);
+    throw RunError(ExitCode::input,
+                   "platform.hydrodynamics.added_mass.convolution: expected a database with the "
+                   "added mass at infinite frequency (rows of period 0 in the .1); found none. "
+                   "Compute it, or have it estimated: database.estimate_infinite: true");
+}
+
 /// Case key hydrodynamics.added_mass: a frequency, or the spectral peak.
 Radiation radiation_of(const Hydrodynamics& h, const HydroData* data, const Sea& sea) {
     Radiation r;
-    if (data != nullptr) {
+    if (data != nullptr && h.memory) {
+        r.added_mass = infinite_added_mass(*data, h);
+    } else if (data != nullptr) {
         if (!h.added_mass_frequency && !sea.has_waves())
             throw RunError(ExitCode::input,
                            "platform.hydrodynamics.added_mass: expected a frequency, e.g. "
@@ -43,6 +56,18 @@ Buoyancy buoyancy_of(const Hydrodynamics& h, const HydroData* data, const Water&
     return b;
 }
 
+/// A force and a moment, or a velocity and a rotation, on the axes of the body and of the world.
+Vec6 to_body(const Mat3& R, const Vec6& v) {
+    Vec6 out;
+    out << R.transpose() * v.head<3>(), R.transpose() * v.tail<3>();
+    return out;
+}
+Vec6 to_world(const Mat3& R, const Vec6& v) {
+    Vec6 out;
+    out << R * v.head<3>(), R * v.tail<3>();
+    return out;
+}
+
 const Platform& platform_of(const Case& c) {
     if (!c.platform) throw RunError(ExitCode::bug, "a hull was asked for in a case without one");
     return *c.platform;
@@ -65,6 +90,17 @@ Hull::Hull(const Case& c, const HydroData* data)
       slow_phases_(sea_.components().size()) {
     const Platform& p = *c.platform;
     const Hydrodynamics& h = p.hydrodynamics;
+    if (h.memory && data != nullptr) {
+        radiation_data_.frequencies = data->frequencies;
+        radiation_data_.added_mass = data->added_mass;
+        radiation_data_.damping = data->damping;
+        infinite_ = infinite_added_mass(*data, h);
+        const double D = c.analysis.dynamics.platform_step;
+        if (h.memory->form == RadiationMemoryKeys::Form::discrete)
+            discrete_.emplace(Retardation(*data), D, h.memory->duration);
+        else
+            fitted_ = FittedMemory(fit_memory(*data, infinite_, D, h.memory->order));
+    }
     body_.centre_of_gravity = p.centre_of_gravity;
     if (p.inertia)
         body_.inertia = *p.inertia;
@@ -166,8 +202,11 @@ State Hull::rate(double t, const State& s, HullLoads& loads, const Vec6& lines,
     Vec6 velocity;
     velocity << m.velocity, w;
 
+    const double* memory = s.data() + memory_index;
     loads[Load::lines] = lines;
     loads[Load::radiation] = -B_w * velocity;
+    if (fitted_.states() > 0) loads[Load::radiation] += to_world(R, fitted_.load(memory));
+    if (discrete_) loads[Load::radiation] += to_world(R, discrete_->load(t, to_body(R, velocity)));
     const Vec6 force = loads.total() - gyroscopic_load(body, w);
     const Mat6 virtual_mass =
         mass_matrix(body) + A_w + loads.member_added_mass + loads.plate_added_mass;
@@ -189,6 +228,7 @@ State Hull::rate(double t, const State& s, HullLoads& loads, const Vec6& lines,
         Vec3(a.tail<3>() -
              angular_velocity_matrix_rate(m.angles, m.angle_rates) * m.angle_rates));  // K:3
     add_slow_motion_to(rate, s, cutoff_);                                              // K:8
+    fitted_.add_rates_to(rate.data() + memory_index, memory, to_body(R, velocity));    // K:10
     if (acceleration != nullptr) *acceleration = rate.segment<6>(6);
     return rate;
 }
@@ -222,11 +262,32 @@ Mat6 Hull::static_stiffness(const PlatformMotion& pose, const Statics& which) co
     return K;
 }
 
-Mat6 Hull::static_mass(const PlatformMotion& pose) const {
+void Hull::remember(double t, const State& s, const Vec6& acceleration) {
+    if (!discrete_) return;
+    const PlatformMotion m = motion_of(s);
+    const Mat3 R = rotation(m.angles);
+    const Vec3 w = angular_velocity(m);
+    Vec6 velocity, rate;
+    velocity << m.velocity, w;
+    // K:3, and d(R^T v)/dt = R^T (v' - w x v)
+    rate << acceleration.head<3>() - w.cross(m.velocity),
+        angular_velocity_matrix(m.angles) * acceleration.tail<3>() +
+            angular_velocity_matrix_rate(m.angles, m.angle_rates) * m.angle_rates;
+    discrete_->remember(t, to_body(R, velocity), to_body(R, rate));
+}
+
+Mat6 Hull::static_mass(const PlatformMotion& pose, double frequency) const {
     const Mat3 R = rotation(pose.angles);
+    Mat6 added = radiation_.added_mass;
+    if (!radiation_data_.frequencies.empty())
+        added +=
+            radiation_at(radiation_data_, std::clamp(frequency, radiation_data_.frequencies.front(),
+                                                     radiation_data_.frequencies.back()))
+                .added_mass -
+            infinite_;
     const HullLoads wet = loads(0.0, start(pose, pose));
-    return mass_matrix(turned(body_, R)) + turned(radiation_.added_mass, R) +
-           wet.member_added_mass + wet.plate_added_mass;
+    return mass_matrix(turned(body_, R)) + turned(added, R) + wet.member_added_mass +
+           wet.plate_added_mass;
 }
 
 State Hull::start(const PlatformMotion& equilibrium, const PlatformMotion& with_initial) const {

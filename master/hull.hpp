@@ -15,6 +15,7 @@
 #include "plate_loads.hpp"
 #include "pose.hpp"
 #include "radiation.hpp"
+#include "radiation_memory.hpp"
 #include "rigid_body.hpp"
 #include "state.hpp"
 #include "wind_load.hpp"
@@ -25,7 +26,7 @@ namespace hawser::master {
 enum class Load : int {
     wave1,        ///< first-order excitation of the database
     drift,        ///< mean and slow drift
-    radiation,    ///< -A_w (x_O'', w') - B_w (x_O', w) of the database
+    radiation,    ///< -A_w (x_O'', w') - B_w (x_O', w) of the database, or with memory K:9, K:10
     hydrostatic,  ///< buoyancy of database and members, waterplane terms
     weight,
     members,  ///< Morison load of members beside `current`, with the inertia of their added mass
@@ -89,8 +90,13 @@ class Hull {
     /// -d(static_load)/d(position, rotation vector) [N/m ...], by central differences.
     [[nodiscard]] Mat6 static_stiffness(const PlatformMotion& pose, const Statics& which) const;
 
-    /// Mass with all added mass that is wet at rest, about O on world axes [kg, kg.m, kg.m2].
-    [[nodiscard]] Mat6 static_mass(const PlatformMotion& pose) const;
+    /// Mass with all added mass that is wet at rest, about O on world axes [kg, kg.m, kg.m2]; of a
+    /// database with memory the added mass at `frequency` [rad/s], or at its nearest.
+    [[nodiscard]] Mat6 static_mass(const PlatformMotion& pose, double frequency = 0.0) const;
+
+    /// The step to this state has been taken; acceleration: second derivatives of the six motions.
+    /// The discrete memory K:9 keeps it.
+    void remember(double t, const State& state, const Vec6& acceleration);
 
     /// State of the start: motion as given, the filter K:8 at rest at the equilibrium.
     [[nodiscard]] State start(const PlatformMotion& equilibrium,
@@ -103,6 +109,8 @@ class Hull {
 
     [[nodiscard]] const Sea& sea() const { return sea_; }
     [[nodiscard]] const Radiation& radiation() const { return radiation_; }
+    /// The fitted memory; without oscillators where there is none.
+    [[nodiscard]] const MemoryFit& memory() const { return fitted_.fit(); }
     [[nodiscard]] const RigidBody& body() const { return body_; }
     [[nodiscard]] double slow_cutoff() const { return cutoff_; }
 
@@ -120,6 +128,10 @@ class Hull {
     bool mass_is_auto_ = false;
     Buoyancy buoyancy_;
     Radiation radiation_;
+    HydroData radiation_data_;      ///< with memory: added mass over frequency ...
+    Mat6 infinite_ = Mat6::Zero();  ///< ... and at the infinite one
+    FittedMemory fitted_;
+    std::optional<DiscreteMemory> discrete_;
     Drift drift_ = Drift::none;
     WavePhase wave_phase_ = WavePhase::instantaneous;
     double cutoff_ = 0.0;

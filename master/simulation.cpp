@@ -82,6 +82,7 @@ void Simulation::coupled() {
     paper_loop(rate, hull_->start(start.equilibrium, start.start), D_,
                [&](int step, double t, const State& y) {
                    const PlatformMotion motion = motion_of(y);
+                   hull_->remember(t, y, rate.acceleration());
                    if (recorder_.sample_due(step)) {
                        recorder_.sample(t);
                        recorder_.platform(y, rate.acceleration(), rate.loads());
@@ -149,6 +150,15 @@ void Simulation::keep_platform_facts(const StaticStart& start) {
     if (frequency > 0.0)
         platform_facts_.push_back({"added_mass_frequency", "rad/s",
                                    "constant added mass and damping taken at", frequency});
+    const MemoryFit& memory = hull_->memory();
+    if (!memory.oscillators.empty()) {
+        platform_facts_.push_back({"memory_oscillators", "1",
+                                   "oscillators that hold the memory of radiation",
+                                   static_cast<double>(memory.oscillators.size())});
+        platform_facts_.push_back({"memory_error", "1",
+                                   "rms error of their fit to the database, part of its rms",
+                                   memory.rms_error});
+    }
     const char* with = input_.lines.empty() ? "" : ", lines with their inertia";
     for (const CoupledMode& mode : start.modes) {
         const std::string motion = motion_names[static_cast<std::size_t>(mode.motion)];

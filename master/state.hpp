@@ -1,12 +1,18 @@
-// The platform's integrated state: the 12 numbers of P:1, then the slow-position filter K:8.
+// The platform's integrated state: the 12 numbers of P:1, then the slow-position filter K:8, then
+// the memory of radiation K:10.
 #pragma once
 
 #include "frames.hpp"
 
 namespace hawser::master {
 
-/// x_O (3), q (3), x_O' (3), q' (3), then for each of surge, sway, yaw: x_a, x_a', x_s, x_s' (K:8).
-using State = Eigen::Matrix<double, 24, 1>;
+constexpr int most_oscillators = 12;  ///< of the fitted memory, K:10
+constexpr int memory_index = 24;      ///< of its first number
+constexpr int most_memory_states = 2 * 6 * most_oscillators;
+
+/// x_O (3), q (3), x_O' (3), q' (3), then for each of surge, sway, yaw: x_a, x_a', x_s, x_s' (K:8),
+/// then x1 (6), x2 (6) of each oscillator (K:10); without memory these stay 0.
+using State = Eigen::Matrix<double, memory_index + most_memory_states, 1>;
 
 /// First filter number of surge (0), sway (1) or yaw (2) in the state.
 constexpr int filter_index(int motion) { return 12 + 4 * motion; }

@@ -130,8 +130,9 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
     out.stability = stability_of(hull, g, out.stiffness, body.length);
     for (std::string& warning : stability_warnings(out.stability, platform.name))
         out.notes.push_back(std::move(warning));
-    out.modes = coupled_modes(body.stiffness(rest.pose), hull.static_mass(rest.pose),
-                              line_stiffness_of(lines, rest.pose));
+    out.modes = coupled_modes(
+        body.stiffness(rest.pose), [&](double w) { return hull.static_mass(rest.pose, w); },
+        line_stiffness_of(lines, rest.pose));
     for (const CoupledMode& mode : out.modes)
         if (!mode.converged)
             out.notes.push_back(fmt::format(

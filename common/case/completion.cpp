@@ -86,7 +86,10 @@ class Completion {
         Hydrodynamics& hydro = p.hydrodynamics;
         const std::string path = "platform.hydrodynamics";
         const std::optional<double> peak = peak_frequency();
-        if (hydro.database && !hydro.added_mass_frequency) {
+        if (hydro.memory && !hydro.database)
+            error(path + ".added_mass.convolution",
+                  "memory of radiation needs a hydrodynamics.database");
+        if (hydro.database && !hydro.memory && !hydro.added_mass_frequency) {
             if (!peak) {
                 error(path,
                       "in still water the frequency of the added mass must be given: "

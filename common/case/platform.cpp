@@ -76,7 +76,11 @@ const Table& database_keys() {
         symmetry.eg("[xz]");
         k.later("phase_origin", "Origin of the files' phases");
         k.later("limits", "Which end of the .1 file is which limit");
-        k.later("estimate_infinite", "Estimate of the infinite-frequency added mass");
+        k.flag(
+             "estimate_infinite", &HydroDatabase::estimate_infinite,
+             "Where the files lack the added mass at infinite frequency that memory needs: work it "
+             "out of the others (Ogilvie's relation)")
+            .def("false");
         return k.done();
     }();
     return table;
@@ -103,6 +107,32 @@ const Table& matrix_keys() {
     return table;
 }
 
+const Table& memory_keys() {
+    static const Table table = [] {
+        using Form = RadiationMemoryKeys::Form;
+        Keys<RadiationMemoryKeys> k("convolution");
+        k.choice("form", &RadiationMemoryKeys::form,
+                 std::vector<std::pair<std::string, Form>>{{"fitted", Form::fitted},
+                                                           {"discrete", Form::discrete}},
+                 "How the memory is kept: as damped oscillators fitted to the database, or as the "
+                 "convolution over the platform's steps")
+            .def("fitted");
+        k.integer("order", &RadiationMemoryKeys::order,
+                  "Number of oscillators of the fitted form, 12 at most")
+            .or_word("auto")
+            .follows("the fewest that fit the database within 0.5 %")
+            .at_least(1)
+            .at_most(12)
+            .eg("4");
+        k.number("duration", &RadiationMemoryKeys::duration, time,
+                 "Time after which the hull has forgotten a motion, discrete form")
+            .def("60 s")
+            .above(0);
+        return k.done();
+    }();
+    return table;
+}
+
 const Table& added_mass_keys() {
     static const Table table = [] {
         Keys<Hydrodynamics> k("added_mass");
@@ -112,7 +142,10 @@ const Table& added_mass_keys() {
             .follows("the spectral peak; in still water the frequency must be given")
             .above(0)
             .eg("0.4 rad/s");
-        k.later("convolution", "Radiation memory");
+        k.map("convolution", &Hydrodynamics::memory, memory_keys,
+              "Radiation with memory, from all frequencies of the database, instead of constant "
+              "matrices (footnote 3 of the paper)");
+        k.rule(KeyRule::Count::at_most_one, {"constant", "convolution"});
         return k.done();
     }();
     return table;

@@ -21,6 +21,7 @@ struct HydroDatabase {
     double included_mass = 0.0;              ///< [kg], with includes_weight
     double included_z = 0.0;                 ///< [m], with includes_weight
     Vec3 reference_point = Vec3::Zero();     ///< the files' moment origin on platform axes [m]
+    bool estimate_infinite = false;          ///< A(inf) by Ogilvie's relation if the files lack it
     std::vector<std::string> symmetry;       ///< planes of the hull: xz, yz; headings are mirrored
 
     bool operator==(const HydroDatabase&) const = default;
@@ -35,6 +36,15 @@ struct HydroMatrix {
     bool operator==(const HydroMatrix&) const = default;
 };
 
+/// Radiation with memory instead of constant matrices (case key `added_mass.convolution`).
+struct RadiationMemoryKeys {
+    enum class Form { fitted, discrete } form = Form::fitted;
+    double duration = 60.0;    ///< after which the hull has forgotten a motion, discrete form [s]
+    std::optional<int> order;  ///< oscillators of the fit; empty: as many as it takes
+
+    bool operator==(const RadiationMemoryKeys&) const = default;
+};
+
 enum class Drift { none, mean, newman };
 enum class WavePhase { slow, instantaneous };
 
@@ -42,6 +52,7 @@ struct Hydrodynamics {
     std::optional<HydroDatabase> database;
     std::optional<HydroMatrix> matrix;
     std::optional<double> added_mass_frequency;  ///< [rad/s]; empty (auto): the spectral peak
+    std::optional<RadiationMemoryKeys> memory;   ///< empty: constant added mass and damping
     Drift drift = Drift::none;
     std::optional<WavePhase> wave_phase;  ///< empty: slow if there is drift, else instantaneous
     std::optional<double> slow_cutoff;    ///< [rad/s]; empty: a quarter of the spectral peak

@@ -307,12 +307,12 @@ std::string performance_text(const RunRecord& record) {
 std::string limits_text(const Case& input) {
     std::string out = heading("What the physics leaves out");
     if (input.platform) {
+        out += "platform: ";
+        if (!input.platform->hydrodynamics.memory)
+            out += "constant added mass and radiation damping (no memory);\n          ";
         out +=
-            "platform: constant added mass and radiation damping (no memory); no wave drift "
-            "damping; "
-            "no effect of current on drift\n"
-            "          and radiation; no Munk moment; slow drift by Newman's approximation; rigid "
-            "hull\n";
+            "no wave drift damping; no effect of current on drift and radiation;\n"
+            "          no Munk moment; slow drift by Newman's approximation; rigid hull\n";
     }
     if (!input.lines.empty()) {
         out +=

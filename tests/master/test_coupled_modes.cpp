@@ -18,7 +18,7 @@ TEST(CoupledModes, AreTwoPiRootMassOverStiffnessWithoutCoupling) {
     Vec6 k, m;
     k << 4e5, 3e5, 1e7, 5e9, 6e9, 4e8;
     m << 2e8, 2e8, 1.5e8, 4e11, 4e11, 2e10;
-    const auto modes = coupled_modes(k.asDiagonal(), m.asDiagonal(), none);
+    const auto modes = coupled_modes(k.asDiagonal(), constant(m.asDiagonal()), none);
     for (int i = 0; i < 6; ++i) {
         const CoupledMode& mode = modes[std::size_t(i)];
         EXPECT_EQ(mode.motion, i);
@@ -38,7 +38,8 @@ TEST(CoupledModes, DoNotDependOnTheReferencePoint) {
     Mat6 to_G = Mat6::Identity();  // displacement of G from that of O
     to_G.block<3, 3>(0, 3) = -skew(body.centre_of_gravity);
     const Mat6 K = to_G.transpose() * k.asDiagonal() * to_G;
-    const auto modes = coupled_modes(K, mass_matrix(turned(body, Mat3::Identity())), none);
+    const auto modes =
+        coupled_modes(K, constant(mass_matrix(turned(body, Mat3::Identity()))), none);
     const double m[] = {1e8, 1e8, 1e8, 7e11, 7e11, 2e10};
     for (int i = 0; i < 6; ++i)
         EXPECT_NEAR(modes[std::size_t(i)].period().value(), 2 * M_PI * std::sqrt(m[i] / k[i]),
@@ -48,7 +49,7 @@ TEST(CoupledModes, DoNotDependOnTheReferencePoint) {
 TEST(CoupledModes, AreEmptyWhereNothingHolds) {
     Vec6 k;
     k << 0, 0, 1e7, 5e9, 6e9, 0;
-    const auto modes = coupled_modes(k.asDiagonal(), Mat6::Identity() * 1e8, none);
+    const auto modes = coupled_modes(k.asDiagonal(), constant(Mat6::Identity() * 1e8), none);
     EXPECT_FALSE(modes[0].period() || modes[1].period() || modes[5].period());
     EXPECT_TRUE(modes[2].period() && modes[3].period() && modes[4].period());
 }
@@ -74,7 +75,7 @@ TEST(CoupledModes, OfASpringMooredSparAreThoseOfItsSixBySixMatrices) {
     const Mat6 S = springs({{{20, 0, -60}, {2e5, 1e5, 1e5}},
                             {{-10, 17, -60}, {1e5, 2e5, 1e5}},
                             {{-10, -17, -60}, {1e5, 2e5, 1e5}}});
-    const auto modes = coupled_modes(K, M, constant(S));
+    const auto modes = coupled_modes(K, constant(M), constant(S));
     const Eigen::GeneralizedSelfAdjointEigenSolver<Mat6> exact(Mat6(K + S), M);
     std::vector<double> got;
     for (const CoupledMode& mode : modes) {
@@ -108,7 +109,7 @@ TEST(CoupledModes, OfAMassOnATendonIsTheRootOfTheFrequencyEquation) {
         const double w = 0.5 * (low + high);
         (cotangent(w) > M * w * w ? low : high) = w;
     }
-    const auto modes = coupled_modes(Mat6::Zero(), Mat6::Identity() * M, tendon);
+    const auto modes = coupled_modes(Mat6::Zero(), constant(Mat6::Identity() * M), tendon);
     EXPECT_TRUE(modes[2].converged);
     EXPECT_NEAR(std::sqrt(modes[2].omega_squared), low, 1e-8 * low);
     // Rayleigh: about a third of the tendon moves along

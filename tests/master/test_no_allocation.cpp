@@ -11,21 +11,22 @@ namespace {
 std::atomic<long> taken{0};
 }
 
-void* operator new(std::size_t n) {
+[[gnu::noinline]] void* operator new(std::size_t n) {
     ++taken;
     if (void* p = std::malloc(n)) return p;
     throw std::bad_alloc();
 }
 void* operator new[](std::size_t n) { return operator new(n); }
-void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
 void operator delete[](void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
 
 namespace hawser::master {
 namespace {
 
-TEST(HullLoads, TakeNoMemoryWithinAStep) {
+/// Everything a hull can have: waves, wind, current, drift, members, plates.
+Case full_case() {
     Case c = spar_case();
     c.environment.waves = {paper_sea()};
     c.environment.current = Current{.profile = {{0, 1.9, {}}, {75, 0, {}}}};
@@ -42,7 +43,11 @@ TEST(HullLoads, TakeNoMemoryWithinAStep) {
     p.plates = {
         {.name = "plate", .position = {0, 0, -90}, .area = 900, .Cd = 5, .added_mass = 1e7}};
     p.wind = WindArea{2500, 45, 1};
-    const Hull hull(c, &spar_data());
+    return c;
+}
+
+TEST(HullLoads, TakeNoMemoryWithinAStep) {
+    const Hull hull(full_case(), &spar_data());
     const State s = hull.start({}, {});
     const long before = taken;
     HullLoads loads = hull.loads(200, s);
@@ -52,6 +57,27 @@ TEST(HullLoads, TakeNoMemoryWithinAStep) {
     const Hull another = hull;  // the count works: a copy takes memory
     EXPECT_GT(another.mass(), 0);
     EXPECT_GT(taken - before, 0);
+}
+
+TEST(HullWithMemory, TakesNoMemoryWithinAStep) {
+    for (const auto form :
+         {RadiationMemoryKeys::Form::fitted, RadiationMemoryKeys::Form::discrete}) {
+        Case c = full_case();
+        c.platform->hydrodynamics.added_mass_frequency.reset();
+        c.platform->hydrodynamics.memory = RadiationMemoryKeys{.form = form, .order = {}};
+        Hull hull(c, &spar_data());
+        const State s = hull.start({}, {});
+        Vec6 acceleration;
+        const long before = taken;
+        HullLoads loads = hull.loads(200, s);
+        const State k1 = hull.rate(200, s, loads, Vec6::Zero(), &acceleration);
+        hull.remember(200, s, acceleration);
+        const State middle = s + 0.25 * k1;
+        loads = hull.loads(200.25, middle);
+        const State k2 = hull.rate(200.25, middle, loads, Vec6::Zero());
+        EXPECT_EQ(taken - before, 0);
+        EXPECT_GT((k2 - k1).norm(), 0);
+    }
 }
 
 }  // namespace

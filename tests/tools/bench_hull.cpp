@@ -1,14 +1,19 @@
 // Time of the hull loads and the equation of motion alone: the paper's truss spar in 100 wave
-// components, current and wind, four evaluations per platform step of 0.5 s. By hand:
+// components, current and wind, four evaluations per platform step of 0.5 s, with constant
+// radiation matrices and with memory (fitted and discrete, 60 s). By hand:
 //     build/tests/bench_hull
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 
 #include "../master/spar_hull.hpp"
 
-int main() {
-    using namespace hawser;
-    using namespace hawser::master;
+namespace {
+
+using namespace hawser;
+using namespace hawser::master;
+
+Case paper_spar() {
     Case c = spar_case();
     c.environment.waves = {paper_sea()};
     c.environment.current = Current{.profile = {{0, 1.9, {}}, {40, 1.4, {}}, {75, 0, {}}}};
@@ -32,13 +37,51 @@ int main() {
         p.plates.push_back(
             {.name = "", .position = {0, 0, z}, .area = 900, .Cd = 5, .added_mass = 1.3e7});
     p.wind = WindArea{2500, 45, 1};
-    const Hull hull(c, &spar_data());
-    const State s = hull.start({.position = {30, 0, 0}}, {.position = {30, 0, 0}});
-    const int steps = 2000;
-    const std::clock_t start = std::clock();
-    const State end = run(hull, s, 0.5, steps);
-    const double cpu = double(std::clock() - start) / CLOCKS_PER_SEC;
-    std::printf(
-        "%.3f ms CPU per simulated second, %.1f us per evaluation (surge %.1f m at the end)\n",
-        1e3 * cpu / (steps * 0.5), 1e6 * cpu / (4 * steps), end[0]);
+    return c;
+}
+
+void measure(const char* what, const Case& c) {
+    Hull hull(c, &spar_data());
+    State s = hull.start({.position = {30, 0, 0}}, {.position = {30, 0, 0}});
+    const int steps = 4000;
+    const double D = c.analysis.dynamics.platform_step;
+    Vec6 acceleration;
+    const auto rate = [&](double t, const State& y) {
+        HullLoads loads = hull.loads(t, y);
+        return hull.rate(t, y, loads, Vec6::Zero(), &acceleration);
+    };
+    double least = 1e300;  // of four parts of the run: other programs disturb some
+    State k1 = rate(0, s);
+    for (int part = 0; part < 4; ++part) {
+        const std::clock_t start = std::clock();
+        for (int i = part * steps / 4; i < (part + 1) * steps / 4; ++i) {
+            hull.remember(i * D, s, acceleration);
+            const State k2 = rate((i + 0.5) * D, s + D / 2 * k1);
+            const State k3 = rate((i + 0.5) * D, s + D / 2 * k2);
+            const State k4 = rate((i + 1) * D, s + D * k3);
+            s += D / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+            k1 = rate((i + 1) * D, s);
+        }
+        least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    const int evaluations = 4 * steps / 4;
+    std::printf("%-28s %.3f ms CPU per simulated second, %.1f us per evaluation\n", what,
+                1e3 * least / (steps / 4 * D), 1e6 * least / evaluations);
+}
+
+}  // namespace
+
+int main() {
+    using Form = RadiationMemoryKeys::Form;
+    Case c = paper_spar();
+    measure("constant matrices", c);
+    c.platform->hydrodynamics.added_mass_frequency.reset();
+    for (const int order : {3, 6, 12}) {
+        c.platform->hydrodynamics.memory = {.form = Form::fitted, .order = order};
+        measure(order == 3 ? "fitted, 3 oscillators"
+                           : (order == 6 ? "fitted, 6 oscillators" : "fitted, 12 oscillators"),
+                c);
+    }
+    c.platform->hydrodynamics.memory = {.form = Form::discrete, .order = {}};
+    measure("discrete, 60 s", c);
 }

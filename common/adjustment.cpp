@@ -60,9 +60,14 @@ std::string note_of(const Adjustment& a, const Case& input) {
     const double more = a.found - a.before;
     const char* way =
         radius ? (more < 0.0 ? "nearer" : "further out") : (more < 0.0 ? "shorter" : "longer");
-    return fmt::format("{}: {} is {:.3f} m, {:.3f} m {}, for {}",
+    constexpr double far = 0.1;  // of what the case says: more is rarely meant
+    return fmt::format("{}: {} is {:.3f} m, {:.3f} m {}, for {}{}",
                        input.lines[static_cast<std::size_t>(a.line)].name, quantity_text(a),
-                       a.found, std::abs(more), way, target_text(a));
+                       a.found, std::abs(more), way, target_text(a),
+                       std::abs(more) > far * a.before
+                           ? "; so far from the case's value that the target, the weight or the "
+                             "length of the line may be wrong"
+                           : "");
 }
 
 }  // namespace hawser

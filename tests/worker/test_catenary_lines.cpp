@@ -29,8 +29,8 @@ TEST(CatenaryFollowed, IsTheOneFoundFromNothing) {
     ASSERT_TRUE(last.found);
     for (const Vec3& a : {Vec3(10, 5, -61), Vec3(40, 20, -65), Vec3(100, 0, -60), Vec3(-40, 0, -58),
                           Vec3(300, 50, -60), Vec3(0, -60, -60)}) {
-        const Catenary next =
-            follow_catenary(elements, anchor, a, true, last.horizontal, last.vertical_a);
+        Catenary next;
+        follow_catenary(elements, anchor, a, true, last.horizontal, last.vertical_a, next);
         const Catenary fresh = solve_catenary(elements, anchor, a, true);
         ASSERT_TRUE(next.found && fresh.found);
         EXPECT_NEAR(next.horizontal, fresh.horizontal, 1e-6 * fresh.horizontal);
@@ -45,11 +45,13 @@ TEST(CatenaryFollowed, StiffnessIsTheDerivativeOfItsPull) {
     const auto elements = mooring();
     for (const Vec3& a : {Vec3(0, 0, -60), Vec3(200, 0, -60)}) {  // taut; with chain on the bed
         const auto pull = [&](const Vec3& at) {
-            const Catenary c = follow_catenary(elements, anchor, at, true, 1e6, 1e6);
+            Catenary c;
+            follow_catenary(elements, anchor, at, true, 1e6, 1e6, c);
             const Vec3 out(at.x() - anchor.x(), at.y() - anchor.y(), 0);
             return Vec3(c.horizontal * out.normalized() + c.vertical_a * Vec3::UnitZ());
         };
-        const Catenary here = follow_catenary(elements, anchor, a, true, 1e6, 1e6);
+        Catenary here;
+        follow_catenary(elements, anchor, a, true, 1e6, 1e6, here);
         const double scale = here.stiffness.norm(), h = 1e-3;
         for (int j = 0; j < 3; ++j) {
             const Vec3 column =

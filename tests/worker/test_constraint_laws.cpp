@@ -116,6 +116,36 @@ TEST(EveryLaw, StiffnessIsTheDerivativeOfTheForce) {
     }
 }
 
+TEST(EveryLaw, StiffnessHoldsDampingAndFriction) {
+    // As the time scheme moves a point from rest: its speed follows with a1, its slide in full.
+    const double a1 = 100.0, h = 1e-7;
+    for (const LawCase& c : all_laws()) {
+        std::vector<Vector<V>> points;
+        for (const Vec3& p : c.cylinders) points.push_back(vector(p));
+        const auto reading = [&](const Vec3& g, const Vec3& step) {
+            ConstraintMotion<V> m;
+            m.g = vector(g + step);
+            m.g_rate = vector(a1 * step);
+            m.k = vector(axis);
+            m.cylinders = points;
+            m.slide = V(step.dot(axis));
+            m.stroke_before = resting_at(c, g).opening;
+            return std::visit([&](const auto& law) { return load(law, m, V(a1)); }, c.law).load;
+        };
+        for (const Vec3& g : c.places) {
+            if (!c.cylinders.empty() && resting_at(c, g).magnitude[0] < 0.0) continue;
+            const Mat3 S = lane_matrix(reading(g, Vec3::Zero()).stiffness, 0);
+            Mat3 difference;
+            for (int i = 0; i < 3; ++i)
+                difference.col(i) = -(plain(reading(g, h * Vec3::Unit(i)).force) -
+                                      plain(reading(g, -h * Vec3::Unit(i)).force)) /
+                                    (2 * h);
+            // the damper's own step is of second order: a1 h / smoothing
+            EXPECT_NEAR((S - difference).norm(), 0, 1e-4 * std::max(S.norm(), 1e3)) << c.name;
+        }
+    }
+}
+
 TEST(EveryLaw, WorkIsStoredOrDissipated) {
     // Along g(t) from rest to rest: -int f.g' dt = change of energy + int power dt.
     for (const LawCase& c : all_laws()) {

@@ -223,7 +223,12 @@ Impact strike(double step) {
         for (int c = 1; c <= 3; ++c) {
             const double N = rod.constraint_magnitude(0, c), gap = rod.constraint_opening(0, c);
             out.peak = std::max(out.peak, N), out.deepest = std::min(out.deepest, gap);
-            out.complementary = out.complementary && N >= 0 && (N == 0 || gap < 1e-9);
+            const Vec3 place = pose(t1).position +
+                               input.lines[0].constraints[static_cast<std::size_t>(c)].position;
+            Vec3 across = rod.constraint_point(0, c) - place;  // of the rod beside the axis
+            across.z() = 0.0;
+            const bool pushes_back = rod.constraint_force(0, c).dot(across) <= 0;
+            out.complementary = out.complementary && pushes_back && (N == 0 || gap < 1e-9);
         }
     }
     return out;

@@ -163,5 +163,18 @@ TEST(StaticTargets, NoteSaysWhatWasFoundForWhat) {
                                         "for 5338 kN at stroke 0"));
 }
 
+TEST(StaticTargets, NoteWarnsOfAnAnchorThatMovedFar) {
+    const Case input = chain(400);
+    Adjustment moved{.quantity = Adjust::anchor_radius,
+                     .before = 2000,
+                     .found = 2190,
+                     .goal = Adjustment::Goal::pretension,
+                     .target = 1e6};
+    const auto warns = ::testing::HasSubstr("may be wrong");
+    EXPECT_THAT(note_of(moved, input), ::testing::Not(warns));
+    moved.found = 1790;
+    EXPECT_THAT(note_of(moved, input), warns);
+}
+
 }  // namespace
 }  // namespace hawser::worker

@@ -170,8 +170,9 @@ struct Plane {
 };
 
 /// The line with these unknowns.
-Catenary shape_of(const March& march, const Plane& plane, const Vec3& b, double H, double u) {
-    Catenary result;
+void shape_of(const March& march, const Plane& plane, const Vec3& b, double H, double u,
+              Catenary& result) {
+    result.nodes.clear();
     result.horizontal = H;
     result.grounded = march.lying(u);
     result.vertical_b = march.on_bed ? std::max(u, 0.0) : u;
@@ -186,7 +187,6 @@ Catenary shape_of(const March& march, const Plane& plane, const Vec3& b, double 
         ++n;
     });
     result.vertical_a = end.V - march.elements.back().point_weight;
-    return result;
 }
 
 /// Stiffness at end A: in the plane d(H, V)/d(x, z), across it H/span.
@@ -217,6 +217,13 @@ double bisect(double lo, double hi, F f) {
 
 Catenary solve_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
                         bool on_bed, double friction) {
+    Catenary line;
+    solve_catenary(elements, b, a, on_bed, friction, line);
+    return line;
+}
+
+void solve_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
+                    bool on_bed, double friction, Catenary& line) {
     const Plane plane(elements, b, a);
     double weight = 0.0;
     for (const CatenaryElement& e : elements)
@@ -245,18 +252,16 @@ Catenary solve_catenary(const std::vector<CatenaryElement>& elements, const Vec3
 
     const double H = std::exp(bisect(lo, hi, span_miss));
     const double u = u_for(H);
-    Catenary result = shape_of(march, plane, b, H, u);
+    shape_of(march, plane, b, H, u, line);
     const March::End end = march.run(H, u, nothing);
-    result.found =
-        std::abs(end.x - span) < 1e-3 * length && std::abs(end.z - a.z()) < 1e-3 * length;
-    if (result.found)
-        result.stiffness = stiffness_of(
+    line.found = std::abs(end.x - span) < 1e-3 * length && std::abs(end.z - a.z()) < 1e-3 * length;
+    if (line.found)
+        line.stiffness = stiffness_of(
             plane, H, march.run(Dual(H, 1, 0), Dual(u, 0, 1), [](const March::Point<Dual>&) {}));
-    return result;
 }
 
-Catenary follow_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
-                         bool on_bed, double horizontal, double vertical_a) {
+void follow_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
+                     bool on_bed, double horizontal, double vertical_a, Catenary& line) {
     constexpr int most_iterations = 20;
     constexpr double close = 1e-10;  // of the length
     const Plane plane(elements, b, a);
@@ -276,10 +281,10 @@ Catenary follow_catenary(const std::vector<CatenaryElement>& elements, const Vec
     for (int i = 0; i < most_iterations && H > 0.0 && std::isfinite(H + u); ++i) {
         const auto end = march.run(Dual(H, 1, 0), Dual(u, 0, 1), [](const March::Point<Dual>&) {});
         if (close_now) {  // with the last correction carried out
-            Catenary result = shape_of(march, plane, b, H, u);
-            result.stiffness = stiffness_of(plane, H, end);
-            result.found = true;
-            return result;
+            shape_of(march, plane, b, H, u, line);
+            line.stiffness = stiffness_of(plane, H, end);
+            line.found = true;
+            return;
         }
         const double dx = end.x.v - plane.span, dz = end.z.v - a.z();
         const double det = end.x.H * end.z.u - end.x.u * end.z.H;
@@ -290,7 +295,7 @@ Catenary follow_catenary(const std::vector<CatenaryElement>& elements, const Vec
         u += du;
         close_now = std::max(std::abs(dx), std::abs(dz)) < close * plane.length;
     }
-    return solve_catenary(elements, b, a, on_bed);
+    solve_catenary(elements, b, a, on_bed, 0.0, line);
 }
 
 Catenary hang_freely(const std::vector<CatenaryElement>& elements, const Vec3& a) {

@@ -43,12 +43,16 @@ struct Catenary {
 /// friction times the weight that lies, down to zero [-]
 Catenary solve_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
                         bool on_bed, double friction = 0.0);
+/// The same into a line that is overwritten; with nodes reserved no memory is taken.
+void solve_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
+                    bool on_bed, double friction, Catenary& line);
 
 /// The same by Newton's iteration from the horizontal and vertical tension at end A of a
 /// neighbouring solution, to 1e-10 of the length; with the stiffness, in closed form. Where the
 /// iteration fails it is solve_catenary that answers.
-Catenary follow_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
-                         bool on_bed, double horizontal, double vertical_a);
+/// @param line  is overwritten; with nodes reserved no memory is taken
+void follow_catenary(const std::vector<CatenaryElement>& elements, const Vec3& b, const Vec3& a,
+                     bool on_bed, double horizontal, double vertical_a, Catenary& line);
 
 /// Line that hangs straight down from `a` with its other end free.
 Catenary hang_freely(const std::vector<CatenaryElement>& elements, const Vec3& a);

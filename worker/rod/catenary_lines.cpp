@@ -42,10 +42,12 @@ bool RodPack<V>::hang_lane(int lane, double t, const MotionSpline& platform) {
     const std::vector<CatenaryElement>& elements = hanging_[static_cast<std::size_t>(lane)];
     const double at_a = elements.back().point_weight;
     const Vec3 before = lane_vector(kept_.head().force_a, lane);
-    const Catenary found =
-        started_ ? follow_catenary(elements, b, a, on_bed, std::hypot(before.x(), before.y()),
-                                   before.z() - at_a)
-                 : solve_catenary(elements, b, a, on_bed);
+    Catenary& found = hung_;
+    if (started_)
+        follow_catenary(elements, b, a, on_bed, std::hypot(before.x(), before.y()),
+                        before.z() - at_a, found);
+    else
+        solve_catenary(elements, b, a, on_bed, 0.0, found);
     constexpr double most_strain = 0.2;  // of a static solution that is believed, as of the rods'
     if (!found.found) return false;
     for (std::size_t n = 0; n < elements.size(); ++n)

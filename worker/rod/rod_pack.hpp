@@ -463,6 +463,7 @@ class RodPack {
     std::vector<TrialNode<V>> reached_;  ///< quasi-static: last good shape on the platform's way
     std::vector<V> reached_lambda_;
     std::vector<std::vector<CatenaryElement>> hanging_;  ///< catenary: what each lane is made of
+    Catenary hung_;                                      ///< catenary: workspace
     std::vector<Mat3> hanging_stiffness_;                ///< catenary: of end A, per lane [N/m]
     bool friction_on_ = true;
     Mask law_on_;             ///< lanes whose laws of slopes act

@@ -1,3 +1,4 @@
+#!/usr/bin/python3
 """Period and damping of a free decay, by the p-q method.
 
     x'' + b1 x' + b2 |x'| x' + w^2 x = 0

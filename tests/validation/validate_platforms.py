@@ -1,0 +1,285 @@
+#!/usr/bin/python3
+"""Validation rows of section B: platforms as a user's case files describe them.
+
+Usage: validate_platforms.py HAWSER FOLDER-OF-CASES [ROWS ...]
+
+Prints  id | what | expected | got | error | tolerance | ok  and returns 1 if a row is out of its
+tolerance. Data that other programs made are read from the folder named by HAWSER_REFERENCE. ROWS: only these,
+e.g. B3 B5.
+"""
+
+import math
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+import rows
+from rows import REFERENCE, Program, row, skip, table
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+from decay import free_decay  # noqa: E402
+
+HAWSER, CASES = Program(sys.argv[1]), Path(sys.argv[2])
+
+
+# --- B1, B2: bodies of revolution that float freely, own numbers by matched eigenfunctions ----------------------
+
+
+class FreeHull:
+    """One of the two: options of `hawser hydro cylinder`, keys of the case, reference files and figures."""
+
+    def __init__(self, label, depth, parts, case, periods, raos, folder, stem):
+        self.label, self.depth, self.parts, self.case = label, depth, parts, case
+        self.periods, self.raos, self.folder, self.stem = periods, raos, folder, stem
+
+    def options(self, frequencies):
+        return ["--depth", str(self.depth), "--frequencies", frequencies] + [
+            word for part in self.parts for word in ("--part", part)]
+
+    def reference_set(self, folder):
+        """The files that the folder of reference data has, under one stem."""
+        for ending, file in ((".1", ".1"), (".3", ".3"), (".hst", ".hst"), (".8", "_free.8")):
+            os.symlink(Path(REFERENCE, self.folder, self.stem + file), folder / ("reference" + ending))
+        return folder / "reference"
+
+
+# Amplitudes of the free body, Re(X e^{iwt}) per metre of wave: w, surge, heave, pitch [rad/m], and the mean
+# surge drift of the free and the fixed body [N/m2]. Heave and pitch where a fiftieth of the largest is exceeded.
+CYLINDER = FreeHull(
+    "B1", 300, ["20,0,-70"], "b1", (("heave", 18.18, 0.3456), ("pitch", 20.67, 0.304)),
+    ((0.20, -9.154085e-05 - 6.599366e-01j, 1.092102e+00 - 2.400472e-04j, 1.235938e-06 + 8.910127e-03j, None, None),
+     (0.45, 3.948627e-02 - 1.261707e+00j, -2.449106e-01 - 3.235982e-02j, 6.391818e-04 - 2.042382e-02j, 5.422374e+03, 3.399521e+04),
+     (0.50, 4.625603e-02 - 1.074225e+00j, -1.020152e-01 - 1.816810e-02j, 7.390631e-04 - 1.716361e-02j, 7.923919e+03, 5.785847e+04),
+     (0.60, 5.862787e-02 - 8.109099e-01j, None, 9.535668e-04 - 1.318924e-02j, 1.866300e+04, 1.114421e+05),
+     (0.75, 6.769609e-02 - 5.183063e-01j, None, 1.156287e-03 - 8.852962e-03j, 5.535237e+04, 1.303205e+05),
+     (1.00, 8.522971e-02 - 1.807425e-01j, None, None, 1.324289e+05, 1.261445e+05)),
+    "truncated_cylinder", "trunc_cyl")
+SPAR = FreeHull(
+    "B2", 1500, ["20,0,-70", "20,-165,-175"], "b2", (("heave", 21.30, 0.295), ("pitch", 45.87, 0.137)),
+    ((0.20, 1.708501e-04 - 1.114580e+00j, 1.203367e+00 - 8.002656e-04j, 7.882341e-07 - 5.142228e-03j, None, None),
+     (0.45, -2.112525e-03 - 6.457175e-01j, -1.149528e-01 - 1.440372e-02j, -1.008524e-05 - 3.082670e-03j, 7.926085e+03, 3.397488e+04),
+     (0.50, -5.799714e-03 - 5.694738e-01j, -5.441299e-02 - 9.549406e-03j, -2.865560e-05 - 2.813692e-03j, 1.320816e+04, 5.784862e+04),
+     (0.60, -1.660433e-02 - 4.277518e-01j, None, -8.738119e-05 - 2.251067e-03j, 3.305628e+04, 1.114409e+05),
+     (0.75, -1.811916e-02 - 2.427143e-01j, None, -1.034358e-04 - 1.385569e-03j, 7.731223e+04, 1.303205e+05),
+     (1.00, 1.937792e-02 - 7.097689e-02j, None, None, 1.297445e+05, 1.261445e+05)),
+    "spar_hard_soft_tank", "spar")
+MASS = {"B1": ("9.016371e7", "-42", "25"), "B2": ("1.030442e8", "-66", "83")}
+
+
+def amplitudes(case, w, height=0.02, **changes):
+    """Response to a regular wave: complex amplitude per metre of the six motions, angles in radians."""
+    T = 2 * math.pi / w
+    found = HAWSER.run(case, parameters__T=f"{T!r} s", parameters__H=f"{height} m", **changes)
+    periods = math.floor((found.t[-1] - 300) / T)
+    return found, periods, {
+        name: found.harmonic(x, w, periods) / (height / 2) * (1 if name in ("surge", "sway", "heave") else math.pi / 180)
+        for name, x in found.motion.items()}
+
+
+def complex_row(label, what, expected, got, tolerance):
+    """A complex amplitude: its modulus, with the distance in the complex plane as the error."""
+    error = abs(got - expected) / abs(expected)
+    row(label, what, abs(expected), abs(expected) * (1 + math.copysign(error, abs(got) - abs(expected))), tolerance)
+
+
+def free_hull(hull):
+    """Time domain against frequency domain, 2 %; drift 3 %."""
+    case = CASES / f"{hull.case}.yml"
+    mass, cog, gyration = MASS[hull.label]
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        sets = {"own data": folder / "own"}
+        HAWSER.hydro_cylinder(folder / "own", *hull.options("0.025:1.6:0.025"), "--mass", mass, "--cog", cog,
+                              "--gyration", gyration)
+        HAWSER.hydro_cylinder(folder / "fixed", *hull.options("0.05:1.6:0.05"))
+        if REFERENCE:
+            sets["reference files"] = hull.reference_set(folder)
+        else:
+            skip(hull.label, "reference files: RAOs and drift")
+        for name, stem in sets.items():
+            periods(hull, case, name, stem)
+            for w, *expected, free, fixed in hull.raos:
+                found, whole, X = amplitudes(case, w, parameters__hydro=stem, parameters__frequency=f"{w} rad/s")
+                for motion, value in zip(("surge", "heave", "pitch"), expected):
+                    if value is not None:
+                        unit = "rad/m" if motion == "pitch" else "m/m"
+                        complex_row(hull.label, f"{name}, {w} rad/s: {motion} [{unit}]", value, X[motion], 2e-2)
+                if free:
+                    drift(hull, case, name, stem, w, free)
+        for w, *_, fixed in hull.raos:
+            if fixed:
+                row(hull.label, f"own data, {w} rad/s: mean drift of the fixed hull [N/m2]", fixed,
+                    drift_coefficient(folder / "fixed.8", w), 3e-2)
+        if hull.label == "B2":
+            for what, stem, expected in (("fixed", "fixed", 1.375e6), ("free", "own", 0.619e6)):
+                in_sea = HAWSER.run(case, parameters__hydro=folder / stem, platform__hydrodynamics__drift="mean",
+                                    analysis__dynamics__duration="10 s", analysis__dynamics__ramp="1 s",
+                                    environment__waves="[{type: jonswap, Hs: 15.2 m, Tp: 15.6 s, gamma: 2.4, heading: 0 deg,"
+                                                       " seed: 1, components: 400}]")
+                row(hull.label, f"own data: mean drift of the {what} hull in the paper's sea [N]", expected,
+                    in_sea.loads["drift"][-1, 0], 3e-2)
+
+
+def periods(hull, case, name, stem):
+    """Free decay with the coefficients at the natural frequency."""
+    for motion, expected, w in hull.periods:
+        found = HAWSER.run(case, parameters__hydro=stem, parameters__frequency=f"{w} rad/s", environment__waves="[]",
+                           analysis__dynamics__ramp="0 s", analysis__dynamics__duration="400 s",
+                           **{f"platform.initial.{motion}": "0.5 m" if motion == "heave" else "0.5 deg"})
+        row(hull.label, f"{name}: period of free {motion} [s]", expected, free_decay(found.t, found.motion[motion]).period,
+            2e-2)
+
+
+def drift(hull, case, name, stem, w, expected):
+    """Mean of all that the waves do to a hull that is free to answer: first order and drift. The slow position is
+    filtered at an eighth of the frequency: at the default of a quarter 1/256 of the motion is left in it, which
+    makes up to 12 % of the drift where that is small."""
+    height = 0.4
+    found, whole, _ = amplitudes(case, w, height, parameters__hydro=stem, parameters__frequency=f"{w} rad/s",
+                                 platform__hydrodynamics__drift="mean",
+                                 platform__hydrodynamics__slow_cutoff=f"{w / 8} rad/s")
+    mean = found.mean(found.loads["drift"][:, 0] + found.loads["wave1"][:, 0], w, whole)
+    row(hull.label, f"{name}, {w} rad/s: mean surge load of the free hull [N/m2]", expected, mean / (height / 2) ** 2, 3e-2)
+
+
+def drift_coefficient(file, w):
+    """Surge drift of a .8 [N/m2] at heading 0."""
+    numbers = np.loadtxt(file)
+    at = (numbers[:, 3] == 1) & (numbers[:, 1] == 0) & (np.abs(2 * math.pi / numbers[:, 0] - w) < 1e-6)
+    return 1025 * 9.80665 * float(numbers[at, 6][0])
+
+
+# --- B3: OC3 Hywind, the user's case ------------------------------------------------------------------------------
+
+OC3 = CASES.parents[2] / "cases" / "oc3_hywind" / "oc3_hywind.yml"
+CALM = {"environment.waves": "[]", "platform.hydrodynamics.drift": "none"}
+ANGULAR = ("roll", "pitch", "yaw")
+
+
+def oc3_reference():
+    """The published hull's own WAMIT files in place of those of the case."""
+    return {"platform.hydrodynamics.database":
+            f"{{format: wamit, path: {Path(REFERENCE, 'oc3_hywind', 'spar')}, rho: 1025, displaced_volume: 8029.2 m3,"
+            " centre_of_buoyancy: [0, 0, -62.07 m], includes_weight: false}"}
+
+
+def decay(case, motion, amplitude, w, duration, **changes):
+    """Free decay of one mode, released at rest in that mode's shape (m, deg of the motion that names it), added
+    mass and damping taken at w; drag and all else as the case has it."""
+    changes = {**CALM, "platform.hydrodynamics.added_mass.constant": f"{w} rad/s", **changes}
+    modes = HAWSER.asked("modes", case, **changes)["coupled"]
+    shape = next(mode["shape"] for mode in modes if mode["name"] == motion)
+    size = amplitude if motion not in ANGULAR else math.radians(amplitude)
+    start = {}
+    for name, u in shape.items():
+        value = size * u / shape[motion]
+        if abs(value) > 1e-6:
+            start[f"platform.initial.{name}"] = f"{math.degrees(value)!r} deg" if name in ANGULAR else f"{value!r} m"
+    run = HAWSER.run(case, analysis__dynamics__ramp="0 s", analysis__dynamics__statistics_from="0 s",
+                     analysis__dynamics__duration=f"{duration} s", **changes, **start)
+    return free_decay(run.t, run.motion[motion])
+
+
+def natural_periods(label, case, name, wanted, **changes):
+    for motion, amplitude, w, duration, expected, tolerance in wanted:
+        unit = "deg" if motion in ANGULAR else "m"
+        found = decay(case, motion, amplitude, w, duration, **changes)
+        row(label, f"{name}: {motion} from {amplitude} {unit}, damping {100 * found.linear_damping:.1f} % "
+            f"{100 * found.quadratic_damping:+.1f} %/{unit}: period [s]", expected, found.period, tolerance)
+
+
+def stiffness(label, case, wanted, *more, **changes):
+    """Equilibrium in still water; the lines' load and stiffness at the design position."""
+    changes = {**CALM, "platform.hydrodynamics.added_mass.constant": "0.2 rad/s", **changes}
+    found = HAWSER.asked("statics", case, *more, **changes)
+    platform, line = found["platform"], found["lines"][0]
+    got = {"Fz": -platform["vertical_line_load"], "fairlead": line["tension_a"], "anchor": line["tension_b"]}
+    for i in range(6):
+        for j in range(6):
+            got[f"K{i + 1}{j + 1}"] = platform["line_stiffness"][i][j]
+    for key, what, expected, tolerance in wanted:
+        row(label, f"lines as rods: {what}", expected, got[key], tolerance)
+    return found
+
+
+def offset_curve(label, case, file, **changes):
+    """Restoring force against surge, all else held; MoorPy's catenaries."""
+    what = "restoring force at 5 to 30 m of surge both ways, largest difference, part of the force [-]"
+    if not REFERENCE:
+        skip(label, what)
+        return
+    other = table("catenary_static", file)
+    found = HAWSER.asked("statics", case, "--offset=-30:30:5", "--free", "none", "--lines", "ml*",
+                         **{**CALM, "platform.hydrodynamics.added_mass.constant": "0.2 rad/s", **changes})
+    worst = 0.0
+    for point in found["restoring"]["points"]:
+        x = point["offset"]
+        if abs(x) > 1:
+            F = -np.interp(x, other["surge_m"], other["Fx_N"])
+            worst = max(worst, abs(point["restoring"] / F - 1))
+    row(label, what, 0, worst, 5e-3, relative=False)
+
+
+def oc3():
+    """Mooring 0.5 %; natural periods by free decay 2 %, surge and sway 4 %."""
+    stiffness("B3", OC3, (("Fz", "vertical load [N]", -1.607e6, 5e-3), ("fairlead", "tension at the fairlead [N]", 911.09e3, 5e-3),
+                          ("anchor", "tension at the anchor [N]", 736.94e3, 5e-3), ("K11", "K11 [N/m]", 41180, 5e-3),
+                          ("K33", "K33 [N/m]", 11940, 5e-3), ("K15", "K15 [N/rad]", -2.821e6, 5e-3),
+                          ("K55", "K55 [N.m/rad]", 3.111e8, 5e-3), ("K66", "K66 [N.m/rad]", 1.156e7, 5e-3)))
+    offset_curve("B3", OC3, "oc3_surge_offset.csv")
+    wanted = (("surge", 5, 0.05, 800, 125, 4e-2), ("sway", 5, 0.05, 800, 125, 4e-2), ("heave", 2, 0.2, 400, 31, 2e-2),
+              ("roll", 3, 0.21, 400, 29.4, 2e-2), ("pitch", 3, 0.21, 400, 29.4, 2e-2))
+    natural_periods("B3", OC3, "own data", wanted)
+    if REFERENCE:
+        natural_periods("B3", OC3, "WAMIT files", wanted, **oc3_reference())
+    else:
+        skip("B3", "WAMIT files: natural periods")
+
+
+def oc3_in_waves():
+    """Small regular waves, added mass and damping at their frequency, drag off: the published hull with linear
+    moorings, 2 %. Quasi-static rods are linear moorings in small motions."""
+    sets = {"own data": {}}
+    if REFERENCE:
+        sets["WAMIT files"] = oc3_reference()
+    else:
+        skip("B3b", "WAMIT files: RAOs")
+    for name, changes in sets.items():
+        for w, *expected in ((0.65, 0.5007, 0.0798, 0.2695), (0.35, 1.186, 0.267, 0.550)):
+            X = small_waves(OC3, w, platform__members="[]", analysis__dynamics__line_model="quasi_static", **changes)
+            for motion, unit, value in zip(("surge", "heave", "pitch"), ("m/m", "m/m", "deg/m"), expected):
+                row("B3b", f"{name}, A and B at {w} rad/s: {motion} [{unit}]", value, abs(X[motion]), 2e-2)
+
+
+def small_waves(case, w, height=0.1, **changes):
+    """Complex amplitudes per metre of wave, m or deg, of a moored platform."""
+    T = 2 * math.pi / w
+    found = HAWSER.run(case, environment__waves=f"[{{type: airy, H: {height} m, T: {T!r} s, heading: 0 deg, stretching: none}}]",
+                       analysis__dynamics__ramp="200 s", analysis__dynamics__duration="700 s",
+                       **{"platform.hydrodynamics.drift": "none",
+                          "platform.hydrodynamics.added_mass.constant": f"{w} rad/s", **changes})
+    periods = math.floor(300 / T)
+    return {name: found.harmonic(x, w, periods) / (height / 2) for name, x in found.motion.items()}
+
+
+ALL = {
+    "B1": lambda: free_hull(CYLINDER),
+    "B2": lambda: free_hull(SPAR),
+    "B3": oc3,
+    "B3b": oc3_in_waves,
+}
+
+
+def main():
+    wanted = sys.argv[3:] or ALL
+    for name in wanted:
+        ALL[name]()
+    return 0 if rows.good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

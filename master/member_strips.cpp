@@ -26,13 +26,41 @@ std::vector<Strip> strips_of(const std::vector<Member>& members, double longest)
     return strips;
 }
 
+namespace {
+
+// Wet part of the section whose centre is y below the surface, c its vertical extent; its integral
+// over y from far above the water, and that of y times it.
+struct Section {
+    double c;
+    [[nodiscard]] double wet(double y) const {
+        return c > 0.0 ? std::clamp(0.5 + y / c, 0.0, 1.0) : (y > 0.0 ? 1.0 : 0.0);
+    }
+    [[nodiscard]] double integral(double y) const {
+        if (y <= -0.5 * c) return 0.0;
+        return y >= 0.5 * c ? y : (y + 0.5 * c) * (y + 0.5 * c) / (2.0 * c);
+    }
+    [[nodiscard]] double moment(double y) const {
+        if (y <= -0.5 * c) return 0.0;
+        return y >= 0.5 * c ? 0.5 * y * y - c * c / 24.0
+                            : y * y * (0.25 + y / (3.0 * c)) - c * c / 48.0;
+    }
+};
+
+}  // namespace
+
 Wetting wetting(const Strip& strip, double axis_z, double middle_z, double eta) {
-    const double along = std::abs(axis_z) * strip.length;
-    const double h = along + std::sqrt(std::max(0.0, 1.0 - axis_z * axis_z)) * strip.width;
-    const double f = std::clamp((eta - middle_z) / h + 0.5, 0.0, 1.0);
-    // The dry part is taken off the upper end, as far as the strip is upright.
-    const double shift = -std::copysign(0.5 * (1.0 - f) * strip.length * along / h, axis_z);
-    return {f, shift, h};
+    const double a = std::abs(axis_z) * strip.length;
+    const Section section{std::sqrt(std::max(0.0, 1.0 - axis_z * axis_z)) * strip.width};
+    const double depth = eta - middle_z;
+    if (a <= 1e-6 * section.c)  // lies: the integrals' difference would be of rounding
+        return {section.wet(depth), 0.0, section.c};
+    const double low = depth + 0.5 * a, high = depth - 0.5 * a;
+    if (high >= 0.5 * section.c) return {1.0, 0.0, a};
+    const double wet = section.integral(low) - section.integral(high);
+    if (!(wet > 0.0)) return {0.0, 0.0, a};
+    const double up = depth - (section.moment(low) - section.moment(high)) / wet;
+    const double rate = section.wet(low) - section.wet(high);  // of the wet length, per depth
+    return {std::min(1.0, wet / a), up / axis_z, a / rate};
 }
 
 }  // namespace hawser::master

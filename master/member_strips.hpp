@@ -23,15 +23,16 @@ std::vector<Strip> strips_of(const std::vector<Member>& members, double longest)
 struct Wetting {
     double fraction = 0.0;  ///< 0 dry .. 1 submerged
     double shift = 0.0;   ///< from the strip's middle to the middle of its wet part, along axis [m]
-    double height = 0.0;  ///< vertical extent over which the fraction runs from 0 to 1 [m]
+    double height = 0.0;  ///< rise of the surface per part of the strip that it wets [m]
 };
 
-/// The strip reaches h/2 = (|t_z| length + sqrt(1 - t_z^2) width)/2 above and below its middle
-/// (t: axis on world axes); the wet fraction grows linearly over that height,
+/// Every section of the axis gets wet linearly as the surface passes its vertical extent c = sqrt(1
+/// - t_z^2) width (t: axis on world axes); over the strip, whose axis spans a = |t_z| length,
 ///
-///     fraction = clamp((eta - z + h/2)/h, 0, 1)
+///     fraction = 1/a int clamp(1/2 + (eta - z)/c, 0, 1) dz
 ///
-/// exact for an upright cylinder, and without a jump for a lying one.
+/// exact for an upright cylinder, without a jump for a lying one, and the same however a member is
+/// cut.
 Wetting wetting(const Strip& strip, double axis_z, double middle_z, double eta);
 
 }  // namespace hawser::master

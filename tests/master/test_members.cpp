@@ -146,6 +146,29 @@ TEST(Members, UprightCylinderFloatsByArchimedes) {
                 2e-3 * weight_arm * 0.05);  // wet length along the axis is longer by 1/cos
 }
 
+// Two columns far apart, cut so that two strips meet at the surface (10 + 20 m) or not (11 + 20 m):
+// C44 = rho g (2 A d^2 - V h/2) with the centre of gravity in the surface.
+TEST(Members, LeaningColumnsRightTheHullHoweverTheyAreCut) {
+    for (const double top : {10.0, 11.0}) {
+        Case c = bare_case();
+        c.platform->centre_of_gravity = {0, 0, 0};
+        for (const double y : {-30.0, 30.0}) {
+            Member m = column(top, -20, 12);
+            m.from.y() = m.to.y() = y;
+            m.inertia = true;
+            m.displaced_area = 100;
+            c.platform->members.push_back(m);
+        }
+        const Hull hull(c, nullptr);
+        const Mat6 K = hull.static_stiffness({}, Statics{});
+        const double C44 = rho * g * 200 * (30 * 30 - 20 * 10), C55 = -rho * g * 200 * 20 * 10;
+        EXPECT_NEAR(K(3, 3), C44, 1e-4 * C44)
+            << top;  // tilts by 1e-4: of a strip's 2.5 m the surface passes 6 mm
+        EXPECT_NEAR(K(4, 4), C55, 1e-4 * C44) << top;
+        EXPECT_NEAR(K(2, 3), 0, 1e-6 * C44) << top;
+    }
+}
+
 TEST(Members, LyingCylinderSubmergesWithoutAJump) {
     Case c = bare_case();
     c.platform->members = {{.name = "lying",

@@ -63,6 +63,10 @@ void merge(Node& into, const Node& from) {
             into.entries.push_back(e);
             continue;
         }
+        if (e.value.kind == Node::Kind::nothing) {
+            into.entries.erase(old);
+            continue;
+        }
         if (e.value.kind != Node::Kind::map) old->place = e.place;
         merge(old->value, e.value);
     }
@@ -82,11 +86,14 @@ void set_value(Node& root, const std::string& path, const Node& value, Problems&
         if (node->kind != Node::Kind::map) {
             return refuse(fmt::format("there is no \"{}\" in {}", key, found(*node)));
         }
+        const bool removes = value.kind == Node::Kind::nothing;
         if (node->find(key) == nullptr) {
+            if (removes) return refuse("there is nothing to remove");
             Node made;
             made.place = value.place;
             node->put(key, made);
         }
+        if (removes && end == path.size()) return node->remove(key);
         node = node->find(key);
         i = end;
         while (i < path.size() && path[i] == '[') {
@@ -102,6 +109,8 @@ void set_value(Node& root, const std::string& path, const Node& value, Problems&
             }
             node = &node->items[index];
             i = static_cast<std::size_t>(stop - path.data()) + 1;
+            if (removes && i == path.size())
+                return refuse("an element of a list cannot be removed");
         }
         if (i < path.size()) {
             if (path[i] != '.' || i + 1 == path.size()) {

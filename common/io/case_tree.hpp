@@ -46,10 +46,11 @@ struct Entry {
 /// "a map", "a list", the text in quotes: what was found, for messages.
 std::string found(const Node& node);
 
-/// `from` over `into`: maps key by key, everything else replaced.
+/// `from` over `into`: maps key by key, everything else replaced; nothing (null) removes the key.
 void merge(Node& into, const Node& from);
 
-/// Sets the value at a dotted path, environment.waves[0].Hs; maps on the way are made.
+/// Sets the value at a dotted path, environment.waves[0].Hs; maps on the way are made. Nothing
+/// (null) removes the key.
 void set_value(Node& root, const std::string& path, const Node& value, Problems& problems);
 
 /// Carries out `defaults` and `like` for line_types and lines; both keys are gone afterwards.

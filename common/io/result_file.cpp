@@ -61,11 +61,6 @@ ResultDigest write_result(const fs::path& folder, const RunRecord& record) {
     digest.snapshots = static_cast<std::int64_t>(times.snapshot.size());
     digest.lines = line_starts(file, record);
     digest.courses = line_courses(file, input);
-    if (file.exists(std::string(mismatch_path))) {
-        const std::vector<double> values = file.read(std::string(mismatch_path));
-        for (const ConstraintOfLine& c : constraints_of(input))
-            digest.mismatch.emplace_back(c.name, values[digest.mismatch.size()]);
-    }
     const double from = input.analysis.dynamics.statistics_from;
     digest.statistics = result_statistics(file, input, fields, from);
     write_statistics(file, digest.statistics, from);

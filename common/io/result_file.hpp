@@ -85,9 +85,8 @@ struct LineCourse {
 struct ResultDigest {
     std::vector<ChannelStatistics> statistics;
     std::vector<LineStart> lines;
-    std::vector<LineCourse> courses;                       ///< one per line
-    std::vector<std::pair<std::string, double>> mismatch;  ///< constraint, R:40
-    double last_time = 0.0;                                ///< of the samples [s]
+    std::vector<LineCourse> courses;  ///< one per line
+    double last_time = 0.0;           ///< of the samples [s]
     std::int64_t samples = 0, snapshots = 0;
 };
 

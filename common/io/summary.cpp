@@ -182,15 +182,6 @@ std::string courses_text(const RunRecord& record, const ResultDigest& digest) {
         "effective tensions; of breaking, of yield: greatest utilisation, where the case gives "
         "these; places without tension at the start do not count as least\n";
     for (const std::string& flag : flags) out += "! " + flag + "\n";
-    const auto worst =
-        std::max_element(digest.mismatch.begin(), digest.mismatch.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (record.impulses.empty() && worst != digest.mismatch.end() && std::isfinite(worst->second))
-        out += fmt::format(
-            "impulse mismatch between line and platform at constraints: {:.2g} %, at "
-            "{}{}\n",
-            100.0 * worst->second, worst->first,
-            worst->second > 0.01 ? "; above 1 % use force: impulse_matched" : "");
     return out;
 }
 

@@ -378,6 +378,18 @@ TEST(CaseFile, ValuesCanBeSet) {
     EXPECT_THROW(read(spar, {{"environment..Hs", "12 m"}}), InputError);
 }
 
+TEST(CaseFile, NullTakesAKeyAway) {
+    const Case c = read(spar, {{"environment.wind", "null"}, {"environment.current", "~"}});
+    EXPECT_FALSE(c.environment.wind || c.environment.current);
+    EXPECT_FALSE(c.environment.waves.empty());
+    EXPECT_THROW(read(spar, {{"environment.wnd", "null"}}), InputError);
+    EXPECT_THROW(read(spar, {{"environment.waves[0]", "null"}}), InputError);
+    EXPECT_THROW(read(spar, {{"environment.seabed.depth", "null"}}), InputError);  // required
+    const Case calm = read(source / "tests/common/cases/calm_spar.yml");
+    EXPECT_TRUE(calm.environment.waves.empty());
+    EXPECT_TRUE(calm.environment.wind.has_value());
+}
+
 TEST(CaseFile, UnitsOfAFileScaleItsPlainNumbers) {
     const fs::path folder = source / "tests/common/cases/accepted";
     Case si = read(folder / "chain.yml");

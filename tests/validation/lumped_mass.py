@@ -2,9 +2,10 @@
 """A second opinion on lines in motion: point masses and springs in a plane, explicit in time.
 
 Shares nothing with the rods: no finite elements, no implicit step, no multipliers. Nodes carry half of
-the mass, weight, buoyancy, added mass (across the line) and Morison drag of the segments beside them;
+the mass, weight, buoyancy, added mass and Morison drag of the segments beside them;
 segments are springs of stiffness EA/l with a small damper; the bed pushes up on nodes that are in it.
-Used where two sources disagree (validate_lines.py).
+Used where two sources disagree (validate_lines.py), and for what lines add to a platform's inertia
+(validate_platforms.py).
 
 Units: SI. x horizontal, z up; node 0 is the fairlead.
 """
@@ -27,6 +28,7 @@ class Part:
     Cd: float = 0.0
     Cd_axial: float = 0.0
     Ca: float = 1.0
+    Ca_axial: float = 0.0
 
 
 @dataclass
@@ -52,6 +54,7 @@ class Line:
         self.m = to_nodes(mass)
         self.w = to_nodes((mass - RHO * area) * G)
         self.added = to_nodes(RHO * area * spread(lambda p: p.Ca))
+        self.along = to_nodes(mass + RHO * area * spread(lambda p: p.Ca_axial))
         self.cn = to_nodes(0.5 * RHO * spread(lambda p: p.Cd * p.diameter))
         self.ct = to_nodes(0.5 * RHO * spread(lambda p: p.Cd_axial * p.diameter))
         self.part = to_nodes(np.ones_like(self.l))
@@ -81,9 +84,14 @@ class Line:
     def tensions_in_motion(self, x, motion, duration, dt, bed=None, every=50):
         """Tension of the segment at the fairlead [N] against time. `motion(t)` gives the fairlead's
         displacement and velocity."""
+        times, tensions, _ = self.in_motion(x, motion, duration, dt, bed, every)
+        return times, tensions
+
+    def in_motion(self, x, motion, duration, dt, bed=None, every=50):
+        """Also the force of the line on what moves its fairlead, the inertia of the end's half segment included."""
         x, v = x.copy(), np.zeros_like(x)
         start = x[0].copy()
-        times, tensions = [], []
+        times, tensions, forces = [], [], []
         up = np.array([0.0, 1.0])
         for n in range(int(round(duration / dt)) + 1):
             t = n * dt
@@ -112,15 +120,32 @@ class Line:
                 F += np.where(inside, np.maximum(push, 0), 0)[:, None] * up
             # (m + added (I - q q)) a = F
             Fq = (F * q).sum(1)
-            a = (F - Fq[:, None] * q) / (self.m + self.added)[:, None] + (Fq / self.m)[:, None] * q
+            a = (F - Fq[:, None] * q) / (self.m + self.added)[:, None] + (Fq / self.along)[:, None] * q
             if n % every == 0:
                 times.append(t)
                 tensions.append(T[0])
+                a0 = (motion(t + dt)[1] - motion(max(t - dt, 0.0))[1]) / (t + dt - max(t - dt, 0.0))
+                along = (a0 @ q[0]) * q[0]
+                forces.append(F[0] - self.along[0] * along - (self.m[0] + self.added[0]) * (a0 - along))
             a[0] = a[-1] = 0
             v += dt * a
             v[-1] = 0
             x += dt * v
-        return np.array(times), np.array(tensions)
+        return np.array(times), np.array(tensions), np.array(forces)
+
+    def impedance(self, x, direction, w, amplitude=0.05, dt=2e-3, bed=None, settle=4):
+        """Complex force of the line on its fairlead per displacement of that in `direction`, both in the plane,
+        Re(Z x e^{iwt}), from a harmonic motion of small amplitude."""
+        period = 2 * np.pi / w
+        direction = np.asarray(direction, float)
+        t, _, F = self.in_motion(x, harmonic(amplitude * direction, period, settle * period),
+                                 (settle + 4) * period, dt, bed, every=10)
+        late = t >= (settle + 1) * period
+        t, F = t[late], F[late]
+        # x = a sin wt = Re(-i a e^{iwt})
+        basis = np.column_stack([np.cos(w * t), -np.sin(w * t), np.ones_like(t), t])
+        found = np.linalg.lstsq(basis, F, rcond=None)[0]
+        return (found[0] + 1j * found[1]) / (-1j * amplitude)
 
 
 def harmonic(amplitude, period, ramp, phase=(0.0, 0.0)):

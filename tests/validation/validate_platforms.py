@@ -16,7 +16,9 @@ from pathlib import Path
 
 import numpy as np
 
+import lumped_mass
 import rows
+from frequency_domain import WamitFiles
 from rows import REFERENCE, Program, row, skip, table
 
 sys.dont_write_bytecode = True
@@ -93,7 +95,7 @@ def free_hull(hull):
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         sets = {"own data": folder / "own"}
-        HAWSER.hydro_cylinder(folder / "own", *hull.options("0.025:1.6:0.025"), "--mass", mass, "--cog", cog,
+        HAWSER.hydro_cylinder(folder / "own", *hull.options("0.025:3:0.025"), "--mass", mass, "--cog", cog,
                               "--gyration", gyration)
         HAWSER.hydro_cylinder(folder / "fixed", *hull.options("0.05:1.6:0.05"))
         if REFERENCE:
@@ -110,6 +112,8 @@ def free_hull(hull):
                         complex_row(hull.label, f"{name}, {w} rad/s: {motion} [{unit}]", value, X[motion], 2e-2)
                 if free:
                     drift(hull, case, name, stem, w, free)
+        for form in ("fitted", "discrete"):
+            memory(hull, case, folder / "own", form)
         for w, *_, fixed in hull.raos:
             if fixed:
                 row(hull.label, f"own data, {w} rad/s: mean drift of the fixed hull [N/m2]", fixed,
@@ -132,6 +136,17 @@ def periods(hull, case, name, stem):
                            **{f"platform.initial.{motion}": "0.5 m" if motion == "heave" else "0.5 deg"})
         row(hull.label, f"{name}: period of free {motion} [s]", expected, free_decay(found.t, found.motion[motion]).period,
             2e-2)
+
+
+def memory(hull, case, stem, form):
+    """The same with one set of coefficients for all frequencies: radiation with memory."""
+    remembers = {"platform.hydrodynamics.added_mass": f"{{convolution: {{form: {form}}}}}"}
+    for w, *expected, _, _ in hull.raos:
+        _, _, X = amplitudes(case, w, parameters__hydro=stem, **remembers)
+        worst = max(abs(X[motion] / value - 1) for motion, value in zip(("surge", "heave", "pitch"), expected)
+                    if value is not None)
+        row(hull.label, f"own data, {form} memory, {w} rad/s: largest difference of surge, heave, pitch, part [-]", 0, worst,
+            2e-2, relative=False)
 
 
 def drift(hull, case, name, stem, w, expected):
@@ -241,18 +256,39 @@ def oc3():
 
 
 def oc3_in_waves():
-    """Small regular waves, added mass and damping at their frequency, drag off: the published hull with linear
-    moorings, 2 %. Quasi-static rods are linear moorings in small motions."""
+    """Small regular waves, added mass and damping at their frequency: the published hull with linear moorings, 2 %.
+    Quasi-static rods are linear moorings in small motions. Rods in motion add their inertia, which heave feels:
+    there the line is a chain of lumped masses in the frequency domain."""
     sets = {"own data": {}}
     if REFERENCE:
         sets["WAMIT files"] = oc3_reference()
     else:
         skip("B3b", "WAMIT files: RAOs")
     for name, changes in sets.items():
+        stem = OC3.parent / "hydro" / "oc3_hywind" if name == "own data" else Path(REFERENCE, "oc3_hywind", "spar")
         for w, *expected in ((0.65, 0.5007, 0.0798, 0.2695), (0.35, 1.186, 0.267, 0.550)):
-            X = small_waves(OC3, w, platform__members="[]", analysis__dynamics__line_model="quasi_static", **changes)
-            for motion, unit, value in zip(("surge", "heave", "pitch"), ("m/m", "m/m", "deg/m"), expected):
-                row("B3b", f"{name}, A and B at {w} rad/s: {motion} [{unit}]", value, abs(X[motion]), 2e-2)
+            quasi_static = {"platform.members": "[]", "analysis.dynamics.line_model": "quasi_static"}
+            for lines, drag, more in (("linear moorings", "off", quasi_static), ("rods", "off", {"platform.members": "[]"}),
+                                      ("rods", "on", {})):
+                X = small_waves(OC3, w, **more, **changes)
+                for motion, unit, value in zip(("surge", "heave", "pitch"), ("m/m", "m/m", "deg/m"), expected):
+                    if motion == "heave" and lines == "rods":
+                        value = abs(heave_on_chains(WamitFiles(stem), w, 8066048, 1.3e5, oc3_chain(w)))
+                    row("B3b", f"{name}, {w} rad/s, {lines}, drag {drag}: {motion} [{unit}]", value, abs(X[motion]), 2e-2)
+
+
+def oc3_chain(w):
+    """Vertical stiffness of the three lines at w [N/m], complex, by lumped masses."""
+    line = lumped_mass.Line([lumped_mass.Part(902.2, 30, 77.7066, 0.09, 384.243e6, 1.6, 0.31416)])
+    at_rest = line.at_rest(848.67, 250, bed=True)
+    return -3 * line.impedance(at_rest, (0, 1), w, dt=5e-3, bed=lumped_mass.Bed(-250, 27e3, 2.7e3))[1]
+
+
+def heave_on_chains(hull, w, mass, damping, lines):
+    """Heave per metre of wave of a hull whose heave stands alone, on springs `lines` [N/m]."""
+    A, B = hull.at(w, hull.frequencies, hull.A)[2, 2], hull.at(w, hull.frequencies, hull.B)[2, 2]
+    X = hull.at(w, hull.wave_frequencies, hull.F)[2]
+    return X / (-w * w * (mass + A) + 1j * w * (B + damping) + hull.C[2, 2] + lines)
 
 
 def small_waves(case, w, height=0.1, **changes):
@@ -266,11 +302,100 @@ def small_waves(case, w, height=0.1, **changes):
     return {name: found.harmonic(x, w, periods) / (height / 2) for name, x in found.motion.items()}
 
 
+# --- B4: VolturnUS-S ----------------------------------------------------------------------------------------------
+
+VOLTURN = CASES.parents[2] / "cases" / "volturnus_s" / "volturnus_s.yml"
+FIRM_BED = {"environment.seabed.normal_stiffness": "1 MN/m2", "environment.seabed.damping": "100 kN.s/m2"}
+
+
+def volturnus():
+    """Mooring 0.5 % on a firm bed (MoorPy's is rigid); natural periods by free decay 5 %: the user's case of members,
+    and the WAMIT files. Small waves on quasi-static rods against the frequency domain, 2 %."""
+    stiffness("B4", VOLTURN, (("fairlead", "tension at the fairlead [N]", 2.437e6, 5e-3),
+                              ("anchor", "tension at the anchor [N]", 1.3496e6, 5e-3),
+                              ("K11", "K11 [N/m]", 71892, 5e-3), ("K33", "K33 [N/m]", 60743, 5e-3),
+                              ("K15", "K15 [N/rad]", 1.1447e6, 5e-3), ("K55", "K55 [N.m/rad]", 2.5859e8, 5e-3),
+                              ("K66", "K66 [N.m/rad]", 2.5229e8, 5e-3)), **FIRM_BED)
+    offset_curve("B4", VOLTURN, "volturnus_surge_offset.csv", **FIRM_BED)
+    wanted = (("surge", 5, 0.045, 900, 142.9, 5e-2), ("sway", 5, 0.045, 900, 142.9, 5e-2), ("heave", 2, 0.3, 300, 20.4, 5e-2),
+              ("roll", 3, 0.23, 300, 27.8, 5e-2), ("pitch", 3, 0.23, 300, 27.8, 5e-2), ("yaw", 5, 0.07, 600, 90.9, 5e-2))
+    natural_periods("B4", VOLTURN, "hull of members", wanted)
+    if not REFERENCE:
+        skip("B4", "WAMIT files: natural periods and small waves")
+        return
+    stem = Path(REFERENCE, "volturnus_s", "volturnus_s")
+    files = {"parameters.hydro": stem}
+    natural_periods("B4", CASES / "b4.yml", "WAMIT files", wanted, **files)
+    hull, mooring = WamitFiles(stem), np.loadtxt(Path(REFERENCE, "catenary_static", "volturnus_K.csv"), delimiter=",")
+    no_drag = {"platform.damping.quadratic": "{}"}
+    for w in (0.35, 0.5, 0.8):
+        expected = hull.response(w, 20092e3, (0, 0, -1.859), np.diag([4.44e10, 4.428e10, 2.387e10]), mooring)
+        for drag, more in (("off", no_drag), ("on", {})):
+            X = small_waves(CASES / "b4.yml", w, analysis__dynamics__line_model="quasi_static", **files, **more)
+            for motion, unit, value in zip(("surge", "heave", "pitch"), ("m/m", "m/m", "deg/m"),
+                                           (expected[0], expected[2], math.degrees(1) * expected[4])):
+                complex_row("B4", f"WAMIT files, {w} rad/s, linear moorings, drag {drag}: {motion} [{unit}]", value, X[motion],
+                            2e-2)
+    w = 0.5
+    X = small_waves(CASES / "b4.yml", w, **files)
+    row("B4", f"WAMIT files, {w} rad/s, rods, drag on, against lumped masses: heave [m/m]",
+        abs(heave_on_chains(hull, w, 20092e3, 0, volturnus_chain(w))), abs(X["heave"]), 2e-2)
+
+
+def volturnus_chain(w):
+    line = lumped_mass.Line([lumped_mass.Part(850, 40, 685, 0.333, 3.27e9, 2.0, 1.2566, 0.82, 0.27)])
+    at_rest = line.at_rest(837.6 - 58, 186, bed=True)
+    return -3 * line.impedance(at_rest, (0, 1), w, dt=4e-3, bed=lumped_mass.Bed(-186, 100e3, 10e3))[1]
+
+
+# --- B5: ITI Energy barge -----------------------------------------------------------------------------------------
+
+
+def barge():
+    """Heave and pitch by free decay, 5 %, with constant coefficients and with memory."""
+    if not REFERENCE:
+        skip("B5", "WAMIT files: natural periods in heave and pitch")
+        return
+    files = {"parameters.hydro": Path(REFERENCE, "iti_barge", "barge")}
+    for motion, amplitude, w, expected in (("heave", "0.5 m", 0.8055, 7.8), ("pitch", "2 deg", 0.54, 11.6)):
+        for name, added_mass in ((f"constant at {w} rad/s", f"{{constant: {w} rad/s}}"),
+                                 ("discrete memory", "{convolution: {form: discrete}}")):
+            run = HAWSER.run(CASES / "b5.yml", analysis__dynamics__ramp="0 s", analysis__dynamics__statistics_from="0 s",
+                             **files, **{"platform.hydrodynamics.added_mass": added_mass,
+                                         f"platform.initial.{motion}": amplitude})
+            found = free_decay(run.t, run.motion[motion])
+            row("B5", f"{name}: {motion} from {amplitude}, damping {100 * found.linear_damping:.1f} %: period [s]", expected,
+                found.period, 5e-2)
+
+
+# --- B10: heave of a classic spar ---------------------------------------------------------------------------------
+
+
+def classic_spar():
+    """T = 2 pi sqrt(h Cm/g), 3 %: 39 m wide, draft 198 m. Cm 1 by a member, whose ends have no added mass; and Cm of
+    the hull of revolution."""
+    case = CASES / "b10.yml"
+    member = ("[{name: hull, from: [0, 0, 10 m], to: [0, 0, -198 m], diameter: 39 m, Cd: 0, Ca: 1}]")
+    run = HAWSER.run(case, platform__hydrodynamics="{}", platform__members=member)
+    row("B10", "a member, Cm 1: heave period [s]", 28.0, free_decay(run.t, run.motion["heave"]).period, 3e-2)
+    with tempfile.TemporaryDirectory() as folder:
+        stem = Path(folder, "spar")
+        HAWSER.hydro_cylinder(stem, "--depth", "1000", "--part", "19.5,0,-198", "--frequencies", "0.05:1:0.05")
+        hull = WamitFiles(stem)
+        Cm = 1 + hull.at(0.22, hull.frequencies, hull.A)[2, 2] / (1025 * math.pi * 19.5**2 * 198)
+        run = HAWSER.run(case, parameters__hydro=stem)
+    row("B10", f"own data, Cm {Cm:.3f}: heave period [s]", 2 * math.pi * math.sqrt(198 * Cm / 9.80665),
+        free_decay(run.t, run.motion["heave"]).period, 3e-2)
+
+
 ALL = {
     "B1": lambda: free_hull(CYLINDER),
     "B2": lambda: free_hull(SPAR),
     "B3": oc3,
     "B3b": oc3_in_waves,
+    "B4": volturnus,
+    "B5": barge,
+    "B10": classic_spar,
 }
 
 

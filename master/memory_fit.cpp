@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "nonnegative.hpp"
 #include "status.hpp"
 
 namespace hawser::master {
@@ -18,8 +21,15 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// rms error that "auto" is content with.
+constexpr double good_fit = 0.005;
+
 /// Negative damping that is rounding, part of the largest damping.
 constexpr double no_damping = 1e-6;
+
+/// Where the damping of a fit is looked at: so many frequencies up to so many times the last datum.
+constexpr int looks = 600;
+constexpr double beyond = 3.0;
 
 struct Poles {
     double a, b;
@@ -30,9 +40,14 @@ struct Samples {
     VectorXd frequencies, weights;
     std::vector<std::pair<int, int>> entries;
     MatrixXcd values;  ///< frequencies x entries
-    Vec6 scale;        ///< sqrt of the added mass of each motion
+    Vec6 scale;        ///< sqrt of the size of each motion's entry
     double largest = 0.0;
 };
+
+double last_of(const Samples& s) { return s.frequencies[s.frequencies.size() - 1]; }
+
+/// A resonance narrower than this the data do not show, and a look would miss it.
+double slowest_decay(const Samples& s) { return beyond * last_of(s) / looks; }
 
 /// Columns 2 (s + a)/((s + a)^2 + b^2) and -2 b/((s + a)^2 + b^2) of each pair, at s = i w.
 MatrixXcd basis(const VectorXd& w, const std::vector<Poles>& poles) {
@@ -46,6 +61,15 @@ MatrixXcd basis(const VectorXd& w, const std::vector<Poles>& poles) {
             out(k, column + 1) = -2.0 * poles[p].b / determinant;
         }
     return out;
+}
+
+/// N x (N - 1): the combinations of the N basis functions that vanish at w = 0.
+MatrixXd at_rest_at_zero(const std::vector<Poles>& poles) {
+    const VectorXd zero = VectorXd::Zero(1);
+    const MatrixXd row = basis(zero, poles).real();
+    const Eigen::HouseholderQR<MatrixXd> qr(row.transpose());
+    const MatrixXd Q = qr.householderQ();
+    return Q.rightCols(Q.cols() - 1);
 }
 
 MatrixXd stacked(const MatrixXcd& m) {
@@ -62,9 +86,19 @@ Samples samples_of(const HydroData& data, const Mat6& infinite, double D) {
                        fmt::format("platform.hydrodynamics.added_mass.convolution: expected a "
                                    "database of at least 8 frequencies; found {}",
                                    n));
-    // Motions of one kind that hardly move water (yaw of a spar) are seen on the scale of the rest.
-    constexpr double least_scale = 1e-2;
-    s.scale = infinite.diagonal().cwiseAbs().cwiseSqrt();
+    // Each motion is seen on the scale of its own radiation, but what hardly makes waves (heave of
+    // a spar, whose added mass the radiation hardly changes) not below a part of its inertia.
+    constexpr double least_share = 0.01, least_scale = 1e-2;
+    Vec6 size = Vec6::Zero();
+    for (std::size_t i = 0; i < data.frequencies.size(); ++i) {
+        const double w = data.frequencies[i];
+        const Mat6 change = w * (data.added_mass[i] - infinite);
+        const Vec6 Z = data.damping[i].diagonal().cwiseAbs2() + change.diagonal().cwiseAbs2();
+        const Vec6 inertia = least_share * w * infinite.diagonal().cwiseAbs();
+        const double weight = 1.0 / std::sqrt(1.0 + std::pow(w * D, 8));
+        size = size.cwiseMax(weight * Z.cwiseSqrt().cwiseMax(inertia));
+    }
+    s.scale = size.cwiseSqrt();
     for (int kind : {0, 3}) {
         const double top = s.scale.segment<3>(kind).maxCoeff();
         s.scale.segment<3>(kind) =
@@ -107,17 +141,18 @@ Samples samples_of(const HydroData& data, const Mat6& infinite, double D) {
 /// Better poles: the zeros of sigma in  sigma(s) H(s) = sum of the basis, sigma = 1 + the same.
 std::vector<Poles> moved(const Samples& s, const std::vector<Poles>& poles, double fastest) {
     const MatrixXcd phi = basis(s.frequencies, poles);
-    const Eigen::Index N = phi.cols(), m = s.values.cols();
+    const MatrixXcd numerator = phi * at_rest_at_zero(poles).cast<Complex>();
+    const Eigen::Index N = phi.cols(), M = numerator.cols(), m = s.values.cols();
     MatrixXd equations(N * m, N);
     VectorXd right(N * m);
     for (Eigen::Index e = 0; e < m; ++e) {
-        MatrixXcd A(phi.rows(), 2 * N + 1);
-        A << phi, -(s.values.col(e).asDiagonal() * phi), s.values.col(e);
+        MatrixXcd A(phi.rows(), M + N + 1);
+        A << numerator, -(s.values.col(e).asDiagonal() * phi), s.values.col(e);
         const MatrixXd rows = stacked(s.weights.cast<Complex>().asDiagonal() * A);
         const MatrixXd R =
-            rows.householderQr().matrixQR().topRows(2 * N).template triangularView<Eigen::Upper>();
-        equations.middleRows(e * N, N) = R.block(N, N, N, N);
-        right.segment(e * N, N) = R.block(N, 2 * N, N, 1);
+            rows.householderQr().matrixQR().topRows(M + N).template triangularView<Eigen::Upper>();
+        equations.middleRows(e * N, N) = R.block(M, M, N, N);
+        right.segment(e * N, N) = R.block(M, M + N, N, 1);
     }
     const VectorXd scale = equations.colwise().norm().cwiseMax(1e-300);
     const VectorXd c = (equations * scale.cwiseInverse().asDiagonal())
@@ -145,7 +180,7 @@ std::vector<Poles> moved(const Samples& s, const std::vector<Poles>& poles, doub
         out.push_back({0.5 * (real[i] + real[i + 1]),
                        std::max(0.5 * (real[i + 1] - real[i]), 0.01 * fastest)});
     for (Poles& p : out) {
-        p.a = std::max(p.a, 1e-3 * fastest);
+        p.a = std::max(p.a, slowest_decay(s));
         const double size = std::hypot(p.a, p.b);
         if (size > fastest) p.a *= fastest / size, p.b *= fastest / size;
     }
@@ -164,97 +199,114 @@ Mat6 damping_at(const Samples& s, const MatrixXd& real_basis, const MatrixXd& co
     return out;
 }
 
+struct Dip {
+    double frequency;
+    Vec6 motion;  ///< eigenvector of the least damping there
+};
+
 struct Damping {
     double least = 0.0, most = 0.0;  ///< eigenvalues of Re H over all frequencies, scaled
-    std::vector<std::pair<double, Vec6>> negative;  ///< frequency and motion of each dip below zero
+    std::vector<Dip> dips;           ///< where it goes below zero
 };
 
 Damping damping_of(const Samples& s, const std::vector<Poles>& poles, const MatrixXd& C) {
-    constexpr int points = 600;
-    const double top = 3.0 * s.frequencies[s.frequencies.size() - 1];
     Damping out;
-    std::vector<std::pair<double, Vec6>> lowest;
+    std::vector<Dip> lowest;
     std::vector<double> value;
     VectorXd w(1);
-    for (int k = 0; k <= points; ++k) {
-        w[0] = top * k / points;
+    for (int k = 1; k <= looks; ++k) {
+        w[0] = beyond * last_of(s) * k / looks;
         const Eigen::SelfAdjointEigenSolver<Mat6> modes(damping_at(s, basis(w, poles).real(), C));
         value.push_back(modes.eigenvalues()[0]);
-        lowest.emplace_back(w[0], modes.eigenvectors().col(0));
+        lowest.push_back({w[0], modes.eigenvectors().col(0)});
         out.least = std::min(out.least, value.back());
         out.most = std::max(out.most, modes.eigenvalues()[5]);
     }
     for (std::size_t k = 0; k < value.size(); ++k) {
         const bool dips = (k == 0 || value[k] <= value[k - 1]) &&
                           (k + 1 == value.size() || value[k] <= value[k + 1]);
-        if (dips && value[k] < -no_damping * out.most) out.negative.push_back(lowest[k]);
+        if (dips && value[k] < -no_damping * out.most) out.dips.push_back(lowest[k]);
     }
     return out;
 }
 
-/// Changes the coefficients least, in the norm of the fit, so that no motion gains energy: the
-/// damping of each motion and frequency where it dipped below zero is set to a trace above it.
-void make_dissipative(const Samples& s, const std::vector<Poles>& poles, const MatrixXd& gram,
-                      MatrixXd& C) {
-    const Eigen::Index N = C.rows(), m = C.cols();
-    const auto inverse = gram.ldlt();
-    const MatrixXd start = C;
-    std::vector<std::pair<double, Vec6>> held;
-    VectorXd w(1);
-    for (int round = 0; round < 40; ++round) {
+/// Changes the coefficients least, in the norm of the fit, so that no motion gains energy:
+///
+///     least |A C - A C_start|  with  u^T Re H(w) u >= 0
+///
+/// for the motion u and frequency w of every dip below zero, found one set after another.
+void make_dissipative(const Samples& s, const std::vector<Poles>& poles, const MatrixXd& A,
+                      const MatrixXd& T, MatrixXd& C) {
+    const Eigen::Index N = T.cols(), m = C.cols();
+    // y = U T^T C, U^T U = gram: distances in y are those of the fit
+    MatrixXd gram = T.transpose() * A.transpose() * A * T;
+    gram.diagonal().array() += 1e-12 * gram.trace();
+    const Eigen::LLT<MatrixXd> llt(gram);
+    const VectorXd start = MatrixXd(llt.matrixU() * (T.transpose() * C)).reshaped();
+    std::vector<VectorXd> rows;  // of unit length
+    std::vector<double> least;
+    VectorXd pull, w(1);
+    for (int round = 0; round < 60; ++round) {
         const Damping now = damping_of(s, poles, C);
-        if (now.negative.empty()) return;
-        if (2 * (std::ssize(held) + std::ssize(now.negative)) > N * m)
-            return;  // nothing left to fit
-        held.insert(held.end(), now.negative.begin(), now.negative.end());
-        // u^T Re H(w) u = trace, one row each, over all coefficients
-        const auto n = std::ssize(held);
-        MatrixXd rows(N * m, n);
-        VectorXd lack(n);
-        for (Eigen::Index k = 0; k < n; ++k) {
-            const auto& [frequency, u] = held[static_cast<std::size_t>(k)];
-            w[0] = frequency;
-            const MatrixXd phi = basis(w, poles).real();
+        if (now.dips.empty()) return;
+        for (const Dip& dip : now.dips) {
+            w[0] = dip.frequency;
+            const VectorXd phi =
+                llt.matrixL().solve(T.transpose() * basis(w, poles).real().transpose());
+            VectorXd row(N * m);
             for (std::size_t e = 0; e < s.entries.size(); ++e) {
                 const auto [i, j] = s.entries[e];
-                const double share = (i == j ? 1.0 : 2.0) * u[i] * u[j];
-                rows.block(static_cast<Eigen::Index>(e) * N, k, N, 1) = share * phi.transpose();
+                row.segment(static_cast<Eigen::Index>(e) * N, N) =
+                    (i == j ? 1.0 : 2.0) * dip.motion[i] * dip.motion[j] * phi;
             }
-            lack[k] = 10.0 * no_damping * now.most - u.dot(damping_at(s, phi, start) * u);
+            // a trace above zero, so that the next look between two cuts is done with
+            const double trace = no_damping * now.most * std::min(1.0, dip.frequency / last_of(s));
+            least.push_back(trace / row.norm());
+            rows.push_back(row.normalized());
         }
-        MatrixXd spread(N * m, n);
-        for (Eigen::Index e = 0; e < m; ++e)
-            spread.middleRows(e * N, N) = inverse.solve(rows.middleRows(e * N, N));
-        const VectorXd pull =
-            (rows.transpose() * spread).completeOrthogonalDecomposition().solve(lack);
-        C = start + (spread * pull).reshaped(N, m);
+        const auto n = std::ssize(rows);
+        MatrixXd G(N * m, n);
+        VectorXd lack(n);
+        for (Eigen::Index k = 0; k < n; ++k) {
+            G.col(k) = rows[static_cast<std::size_t>(k)];
+            lack[k] = least[static_cast<std::size_t>(k)] - G.col(k).dot(start);
+        }
+        pull.conservativeResizeLike(VectorXd::Zero(n));
+        solve_nonnegative(G.transpose() * G, lack, pull);
+        const VectorXd y = start + G * pull;
+        C = T * llt.matrixU().solve(y.reshaped(N, m));
     }
 }
 
-MemoryFit fit_of_order(const Samples& s, int order, double D) {
-    const double fastest = 2.0 / D;
-    const double last = std::min(s.frequencies[s.frequencies.size() - 1], fastest);
-    std::vector<Poles> poles;
-    for (int p = 1; p <= order; ++p) {
-        const double b = last * p / (order + 0.5);
-        poles.push_back({0.2 * b, b});
-    }
-    for (int i = 0; i < 12; ++i) poles = moved(s, poles, fastest);
+MatrixXd weighted(const Samples& s, const MatrixXcd& m) {
+    return stacked(s.weights.cast<Complex>().asDiagonal() * m);
+}
 
+/// Poles moved a dozen times; those with the least error on the way.
+std::vector<Poles> settled(const Samples& s, std::vector<Poles> poles, double fastest) {
+    const MatrixXd Z = weighted(s, s.values);
+    std::vector<Poles> best = poles;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 12; ++i) {
+        poles = moved(s, poles, fastest);
+        const MatrixXd A = weighted(s, basis(s.frequencies, poles)) * at_rest_at_zero(poles);
+        const double error = (A * A.colPivHouseholderQr().solve(Z) - Z).norm();
+        if (error < least) least = error, best = poles;
+    }
+    return best;
+}
+
+MemoryFit fit_of(const Samples& s, const std::vector<Poles>& poles) {
     const MatrixXcd phi = basis(s.frequencies, poles);
-    const MatrixXd A = stacked(s.weights.cast<Complex>().asDiagonal() * phi);
-    const MatrixXd Z = stacked(s.weights.cast<Complex>().asDiagonal() * s.values);
-    MatrixXd C = A.colPivHouseholderQr().solve(Z);
-    MatrixXd gram = A.transpose() * A;
-    gram.diagonal().array() += 1e-10 * gram.trace();
-    make_dissipative(s, poles, gram, C);
+    const MatrixXd A = weighted(s, phi), Z = weighted(s, s.values), T = at_rest_at_zero(poles);
+    MatrixXd C = T * MatrixXd(A * T).colPivHouseholderQr().solve(Z);
+    make_dissipative(s, poles, A, T, C);
 
     MemoryFit fit;
-    const MatrixXd error = A * C - Z;
-    fit.rms_error = error.norm() / Z.norm();
-    const MatrixXcd complex_error =
+    fit.rms_error = (A * C - Z).norm() / Z.norm();
+    const MatrixXcd error =
         s.weights.cast<Complex>().asDiagonal() * (phi * C.cast<Complex>() - s.values);
-    fit.largest_error = complex_error.cwiseAbs().maxCoeff() / s.largest;
+    fit.largest_error = error.cwiseAbs().maxCoeff() / s.largest;
     const Damping damping = damping_of(s, poles, C);
     fit.least_damping = damping.most > 0.0 ? damping.least / damping.most : 0.0;
     for (std::size_t p = 0; p < poles.size(); ++p) {
@@ -272,6 +324,40 @@ MemoryFit fit_of_order(const Samples& s, int order, double D) {
     return fit;
 }
 
+/// Fits of one oscillator, of two, and so on; each is at least as good as the one before, for the
+/// poles before and one more are tried as well.
+class Ladder {
+ public:
+    Ladder(const Samples& s, double D)
+        : s_(s), fastest_(2.0 / D), last_(std::min(last_of(s), fastest_)) {}
+
+    const MemoryFit& next() {
+        const int order = ++order_;
+        std::vector<Poles> spread;
+        for (int p = 1; p <= order; ++p) {
+            const double b = last_ * p / (order + 0.5);
+            spread.push_back({0.2 * b, b});
+        }
+        spread = settled(s_, std::move(spread), fastest_);
+        MemoryFit fit = fit_of(s_, spread);
+        if (order > 1) {
+            std::vector<Poles> more = poles_;
+            more.push_back({0.5 * last_, 0.5 * last_});
+            MemoryFit other = fit_of(s_, more);
+            if (other.rms_error < fit.rms_error) fit = std::move(other), spread = std::move(more);
+        }
+        fit_ = std::move(fit), poles_ = std::move(spread);
+        return fit_;
+    }
+
+ private:
+    const Samples& s_;
+    double fastest_, last_;
+    int order_ = 0;
+    std::vector<Poles> poles_;
+    MemoryFit fit_;
+};
+
 }  // namespace
 
 CMat6 MemoryFit::at(double w) const {
@@ -288,16 +374,20 @@ MemoryFit fit_memory(const HydroData& data, const Mat6& infinite, double D,
                      std::optional<int> order) {
     const Samples samples = samples_of(data, infinite, D);
     if (samples.entries.empty()) return {};
-    if (order) return fit_of_order(samples, *order, D);
-    constexpr double good = 0.005;
-    MemoryFit best;
-    for (const int n : {3, 4, 5, 6, 8, 10, most_oscillators}) {
-        if (4 * n > 2 * std::ssize(samples.frequencies)) break;
-        MemoryFit fit = fit_of_order(samples, n, D);
-        if (best.oscillators.empty() || fit.rms_error < best.rms_error) best = std::move(fit);
-        if (best.rms_error < good) break;
+    // More numbers than data cannot be told.
+    const int most = std::clamp(static_cast<int>(std::ssize(samples.frequencies)) / 2, 1,
+                                order.value_or(most_oscillators));
+    Ladder ladder(samples, D);
+    std::vector<MemoryFit> fits;
+    for (int n = 1; n <= most; ++n) {
+        fits.push_back(ladder.next());
+        if (!order && fits.back().rms_error < good_fit) break;
     }
-    return best;
+    if (order || fits.back().rms_error < good_fit) return fits.back();
+    constexpr double worth_it = 1.1;  // what more oscillators must gain
+    return *std::find_if(fits.begin(), fits.end(), [&](const MemoryFit& f) {
+        return f.rms_error < worth_it * fits.back().rms_error;
+    });
 }
 
 }  // namespace hawser::master

@@ -2,11 +2,13 @@
 // them.
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "coupled_modes.hpp"
+#include "nonnegative.hpp"
 #include "radiation_memory.hpp"
 #include "spar_hull.hpp"
 
@@ -77,6 +79,8 @@ TEST(MemoryFit, HoldsTheSparsDataAndNeverGivesEnergyToAMotion) {
         const double w = data.frequencies[i];
         if (w > 1.5) continue;
         const CMat6 H = fit.at(w);
+        // Heave hardly makes waves: 1.4 % of its inertia.
+        EXPECT_NEAR(H(2, 2).real(), data.damping[i](2, 2), 0.02 * most_B(2, 2)) << w;
         for (const auto& [r, c] : {std::pair{0, 0}, {0, 4}, {4, 4}}) {
             EXPECT_NEAR(H(r, c).real(), data.damping[i](r, c), 0.01 * most_B(r, c)) << w;
             EXPECT_NEAR(H(r, c).imag(), w * (data.added_mass[i] - *data.added_mass_inf)(r, c),
@@ -86,6 +90,34 @@ TEST(MemoryFit, HoldsTheSparsDataAndNeverGivesEnergyToAMotion) {
     }
 }
 
+TEST(MemoryFit, NeverLosesByMoreOscillatorsAndAutoTakesTheFewestThatDo) {
+    const HydroData& data = spar_data();
+    std::vector<MemoryFit> fits;
+    for (int order = 1; order <= most_oscillators; ++order) {
+        fits.push_back(fit_memory(data, *data.added_mass_inf, 0.5, order));
+        const MemoryFit& fit = fits.back();
+        ASSERT_EQ(std::ssize(fit.oscillators), order);
+        if (order > 1) {
+            // to the trace above zero to which the dips are set
+            EXPECT_LE(fit.rms_error, 1.0001 * fits[fits.size() - 2].rms_error);
+        }
+        // No steady velocity meets a radiation load, and no motion gains energy at any frequency,
+        // looked at between the frequencies that the fit looks at and far beyond.
+        EXPECT_LT(fit.at(0.0).norm(), 1e-9 * fit.at(0.6).norm());
+        for (double w = 0.0037; w < 30; w *= 1.01) {
+            const Vec6 scale = data.added_mass_inf->diagonal().cwiseSqrt().cwiseMax(1e3);
+            const Mat6 B = scale.cwiseInverse().asDiagonal() * fit.at(w).real() *
+                           scale.cwiseInverse().asDiagonal();
+            EXPECT_GT(Eigen::SelfAdjointEigenSolver<Mat6>(B).eigenvalues()[0], -1e-5) << w;
+        }
+    }
+    const auto fewest =
+        std::find_if(fits.begin(), fits.end(), [](const auto& f) { return f.rms_error < 0.005; });
+    const MemoryFit taken = fit_memory(data, *data.added_mass_inf, 0.5, {});
+    EXPECT_EQ(std::ssize(taken.oscillators), 1 + (fewest - fits.begin()));
+    EXPECT_EQ(taken.rms_error, fewest->rms_error);
+}
+
 TEST(MemoryFit, MendsNegativeDampingByALittle) {
     HydroData data = data_of(two_oscillators(), some_mass(), 0.05, 3);
     for (std::size_t i = 0; i < data.frequencies.size(); ++i)  // as badly meshed panels give it
@@ -93,6 +125,25 @@ TEST(MemoryFit, MendsNegativeDampingByALittle) {
     const MemoryFit fit = fit_memory(data, some_mass(), 0.25, 4);
     EXPECT_GE(fit.least_damping, -2e-6);
     EXPECT_LT(fit.rms_error, 0.05);
+}
+
+TEST(NonnegativeQuadratic, MeetsTheConditionsOfItsMinimum) {
+    const int n = 12;  // more unknowns than the rank of K: cuts that repeat each other
+    Eigen::MatrixXd G(7, n);
+    Eigen::VectorXd d(n);
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < 7; ++j) G(j, i) = std::sin(1.7 * i * (j + 1) + j);
+        d[i] = std::cos(2.3 * i);
+    }
+    G.col(11) = G.col(3);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
+    solve_nonnegative(G.transpose() * G, d.cwiseMin(G.transpose() * Eigen::VectorXd::Ones(7)), x);
+    const Eigen::VectorXd slope =
+        G.transpose() * G * x - d.cwiseMin(G.transpose() * Eigen::VectorXd::Ones(7));
+    EXPECT_GE(x.minCoeff(), 0.0);
+    EXPECT_GT(x.maxCoeff(), 0.0);
+    EXPECT_GE(slope.minCoeff(), -1e-9);    // no constraint is broken
+    EXPECT_NEAR(x.dot(slope), 0.0, 1e-9);  // none pulls that does not bind
 }
 
 TEST(Retardation, OfALorentzianIsItsDampedOscillation) {

@@ -80,7 +80,8 @@ class Checks {
 
     /// Mass of water displaced at the design draft [kg].
     double displaced_mass(const Platform& p) const {
-        double volume = p.hydrodynamics.database ? p.hydrodynamics.database->displaced_volume : 0.0;
+        const auto& database = p.hydrodynamics.database;
+        double volume = database ? database->displaced_volume.value_or(0.0) : 0.0;
         for (const Member& m : p.members) {
             const double top = std::max(m.from.z(), m.to.z()), low = std::min(m.from.z(), m.to.z());
             const double length = (m.to - m.from).norm();
@@ -90,7 +91,9 @@ class Checks {
         return case_.environment.water.density * volume;
     }
 
-    void platform(const Platform& p) {
+    /// The water displaced against what the user believes; where only the files tell the volume,
+    /// this waits for them.
+    void displacement(const Platform& p) {
         const double water = displaced_mass(p);
         if (p.displacement && std::abs(*p.displacement / water - 1.0) > 0.005) {
             error("platform.displacement",
@@ -110,16 +113,20 @@ class Checks {
             error("platform.mass",
                   "auto needs buoyancy: a database or members that displace water");
         }
+    }
+
+    void platform(const Platform& p) {
+        if (const auto& d = p.hydrodynamics.database; !d || d->displaced_volume) displacement(p);
         const Hydrodynamics& hydro = p.hydrodynamics;
         if (hydro.wave_phase == WavePhase::instantaneous && hydro.drift != Drift::none) {
             warning("platform.hydrodynamics.wave_phase",
                     "instantaneous counts part of the mean drift twice; use slow");
         }
-        if (hydro.database &&
-            std::abs(hydro.database->rho / case_.environment.water.density - 1.0) > 0.005) {
+        if (hydro.database && hydro.database->rho &&
+            std::abs(*hydro.database->rho / case_.environment.water.density - 1.0) > 0.005) {
             warning("platform.hydrodynamics.database.rho",
-                    fmt::format("{:.6g} kg/m3, but the water has {:.6g} kg/m3", hydro.database->rho,
-                                case_.environment.water.density));
+                    fmt::format("{:.6g} kg/m3, but the water has {:.6g} kg/m3",
+                                *hydro.database->rho, case_.environment.water.density));
         }
         if (!p.members.empty() && p.quadratic_damping.norm() > 0.0) {
             warning("platform.damping.quadratic", "acts together with the drag of the members");

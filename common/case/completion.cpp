@@ -111,6 +111,7 @@ class Completion {
                  fmt::format("auto: {:.5g} rad/s (a quarter of the spectral peak)",
                              *hydro.slow_cutoff));
         }
+        if (hydro.database) database(*hydro.database, path + ".database");
         if (hydro.drift != Drift::none && !hydro.database) {
             error(path + ".drift", "drift needs a hydrodynamics.database with drift data");
         }
@@ -122,6 +123,25 @@ class Completion {
             }
             p.draft = -lowest;
         }
+    }
+
+    void database(const HydroDatabase& d, const std::string& path) {
+        const bool wamit = d.format == HydroFormat::wamit, hams = d.format == HydroFormat::hams;
+        if (!wamit && !hams) {
+            for (const auto& [key, is_there] : {std::pair{".ulen", d.ulen != 1.0},
+                                                {".period_column", d.period_column.has_value()},
+                                                {".limits", d.limits.has_value()}})
+                if (is_there) error(path + key, "only files of wamit and hams have it");
+            return;
+        }
+        const auto missing = [&](const char* key) {
+            error(path, fmt::format("required key \"{}\" is missing (with format: {})", key,
+                                    hams ? "hams" : "wamit"));
+        };
+        if (!d.rho) missing("rho");
+        if (!d.displaced_volume) missing("displaced_volume");
+        if (!d.centre_of_buoyancy) missing("centre_of_buoyancy");
+        if (hams && !d.period_column) missing("period_column");
     }
 
     void member(PlatformKeys& p, std::size_t i) {

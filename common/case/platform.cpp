@@ -21,30 +21,47 @@ std::vector<Dimension> blocks(const Dimension& tt, const Dimension& tr, const Di
 const Table& database_keys() {
     static const Table table = [] {
         Keys<HydroDatabase> k("database");
-        k.only("format", "wamit", {"capytaine", "nemoh", "hams", "bemio"}, "Layout of the files");
-        k.path("path", &HydroDatabase::path,
-               "Files without their endings (.1 .3 .hst .8), relative to this file")
+        k.choice(
+             "format", &HydroDatabase::format,
+             std::vector<std::pair<std::string, HydroFormat>>{{"wamit", HydroFormat::wamit},
+                                                              {"hams", HydroFormat::hams},
+                                                              {"capytaine", HydroFormat::capytaine},
+                                                              {"nemoh", HydroFormat::nemoh},
+                                                              {"bemio", HydroFormat::bemio}},
+             "Layout of the files")
+            .def("wamit");
+        k.path(
+             "path", &HydroDatabase::path,
+             "wamit, hams: files without their endings (.1 .3 .hst .8); capytaine: the .nc; bemio: "
+             "the .h5; nemoh: its folder; relative to this file")
             .required()
             .eg("hydro/truss_spar");
+        k.integer("body", &HydroDatabase::body,
+                  "Which body of files with several; forces from the motion of the others are left "
+                  "out")
+            .follows("the only one")
+            .at_least(1)
+            .eg("1");
         k.number("ulen", &HydroDatabase::ulen, length, "WAMIT's length unit ULEN")
             .def("1 m")
             .above(0);
         k.number("rho", &HydroDatabase::rho, density,
                  "Density of water that makes the files dimensional")
-            .required()
+            .follows("what the files say; required with wamit and hams")
             .above(0)
             .eg("1025 kg/m3");
         k.number("displaced_volume", &HydroDatabase::displaced_volume, volume,
                  "Volume displaced by what the database contains")
-            .required()
+            .follows("what the files say; required with wamit and hams")
             .above(0)
             .eg("100530.965 m3");
         k.vector("centre_of_buoyancy", &HydroDatabase::centre_of_buoyancy, {length},
                  "Its centre, on platform axes")
-            .required()
+            .follows("what the files say; required with wamit and hams")
             .eg("[0, 0, -51.875 m]");
         k.flag("includes_weight", &HydroDatabase::includes_weight,
-               "Does the .hst contain the weight part -m g z_G of C44 and C55? The program applies "
+               "Does the hydrostatic stiffness contain the weight part -m g z_G of C44 and C55? "
+               "The program applies "
                "weight itself")
             .required()
             .eg("false");
@@ -60,8 +77,29 @@ const Table& database_keys() {
         k.vector("reference_point", &HydroDatabase::reference_point, {length},
                  "Origin of the files' rotations and moments, on platform axes")
             .def("[0, 0, 0]");
-        k.only("period_column", "period", {"auto", "frequency", "wavenumber"},
-               "What the first column of the files holds");
+        k.numbers(
+             "phase_origin", &HydroDatabase::phase_origin, length, 2, 2,
+             "Where the reference point stood, x and y, in the axes at whose origin the files' "
+             "phases count from a crest")
+            .def("[0, 0]");
+        k.choice("period_column", &HydroDatabase::period_column,
+                 std::vector<std::pair<std::string, PeriodColumn>>{
+                     {"period", PeriodColumn::period},
+                     {"frequency", PeriodColumn::frequency},
+                     {"deep_wavenumber", PeriodColumn::deep_wavenumber},
+                     {"wavenumber", PeriodColumn::wavenumber},
+                     {"auto", PeriodColumn::automatic}},
+                 "What the first column of the files holds: periods, frequencies in rad/s, w2/g "
+                 "ulen, k ulen; auto tries the first two (wamit, hams)")
+            .follows("period; required with hams, whose control file chooses it")
+            .eg("period");
+        k.choice("limits", &HydroDatabase::limits,
+                 std::vector<std::pair<std::string, HydroLimits>>{
+                     {"wamit", HydroLimits::wamit}, {"reversed", HydroLimits::reversed}},
+                 "Limits in the .1: wamit has a negative first column for zero frequency and 0 for "
+                 "infinite; reversed has 0 for zero and a negative one for infinite")
+            .follows("wamit for periods, reversed with hams; else required where there are any")
+            .eg("wamit");
         Key& symmetry = k.custom(
             "symmetry", Form::words, {},
             "Planes of symmetry of the hull: the files' headings are mirrored across them",
@@ -74,8 +112,6 @@ const Table& database_keys() {
             });
         symmetry.choices = {"xz", "yz"};
         symmetry.eg("[xz]");
-        k.later("phase_origin", "Origin of the files' phases");
-        k.later("limits", "Which end of the .1 file is which limit");
         k.flag(
              "estimate_infinite", &HydroDatabase::estimate_infinite,
              "Where the files lack the added mass at infinite frequency that memory needs: work it "

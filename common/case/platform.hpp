@@ -10,19 +10,32 @@
 
 namespace hawser {
 
+enum class HydroFormat { wamit, hams, capytaine, nemoh, bemio };
+/// What the first column of WAMIT's files holds: T, w, K L with K = w^2/g, or k L.
+enum class PeriodColumn { period, frequency, deep_wavenumber, wavenumber, automatic };
+/// Which rows of a .1 are the limits: PER < 0 zero and PER = 0 infinite frequency (WAMIT), or the
+/// other way round (HAMS).
+enum class HydroLimits { wamit, reversed };
+
 /// Hydrodynamic coefficients from a diffraction program (case-key `hydrodynamics.database`).
 struct HydroDatabase {
-    std::string path;               ///< stem of the WAMIT files, resolved against the case's folder
-    double ulen = 1.0;              ///< WAMIT's length unit [m]
-    double rho = 0.0;               ///< density that makes the files dimensional [kg/m3]
-    double displaced_volume = 0.0;  ///< [m3]
-    Vec3 centre_of_buoyancy = Vec3::Zero();  ///< [m]
+    HydroFormat format = HydroFormat::wamit;
+    std::string path;         ///< stem of the files (wamit, hams), file, or folder (nemoh)
+    std::optional<int> body;  ///< which of several bodies, from 1
+    double ulen = 1.0;        ///< WAMIT's length unit [m]
+    // Empty: the files tell it (capytaine, nemoh, bemio).
+    std::optional<double> rho;               ///< density that makes the files dimensional [kg/m3]
+    std::optional<double> displaced_volume;  ///< [m3]
+    std::optional<Vec3> centre_of_buoyancy;  ///< on platform axes [m]
     bool includes_weight = false;            ///< does the .hst contain -m g z_G?
     double included_mass = 0.0;              ///< [kg], with includes_weight
     double included_z = 0.0;                 ///< [m], with includes_weight
     Vec3 reference_point = Vec3::Zero();     ///< the files' moment origin on platform axes [m]
     bool estimate_infinite = false;          ///< A(inf) by Ogilvie's relation if the files lack it
-    std::vector<std::string> symmetry;       ///< planes of the hull: xz, yz; headings are mirrored
+    std::vector<double> phase_origin;        ///< where O stood in the files' global axes, x y [m]
+    std::optional<PeriodColumn> period_column;  ///< empty: period
+    std::optional<HydroLimits> limits;          ///< empty: as the format has them
+    std::vector<std::string> symmetry;  ///< planes of the hull: xz, yz; headings are mirrored
 
     bool operator==(const HydroDatabase&) const = default;
 };

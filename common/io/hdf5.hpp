@@ -121,7 +121,10 @@ class Hdf5File {
     void write_table(const std::string& path, const std::vector<Hdf5Column>& columns);
     [[nodiscard]] std::vector<double> read(const std::string& path) const;
     [[nodiscard]] std::string read_text(const std::string& path) const;
+    /// Texts of variable or fixed length; characters along the last dimension make one text.
     [[nodiscard]] std::vector<std::string> read_texts(const std::string& path) const;
+    /// Names of the dimensions of a dataset, from its dimension scales (NetCDF-4); none without.
+    [[nodiscard]] std::vector<std::string> dimensions(const std::string& path) const;
 
     /// A dataset of the same file that shows a box of `source`; `shape` has as many values as it.
     void write_virtual(const std::string& path, const Extent& shape, const std::string& source,

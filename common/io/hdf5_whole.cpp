@@ -115,7 +115,24 @@ std::vector<std::string> Hdf5File::read_texts(const std::string& path) const {
     for (const std::uint64_t k : data.shape()) n *= k;
     std::vector<std::string> texts;
     if (n == 0) return texts;
+    const Hdf5Handle stored(checked(H5Dget_type(data.id_.id()), "H5Dget_type", data.place_),
+                            close_type);
+    if (checked(H5Tis_variable_str(stored.id()), "H5Tis_variable_str", data.place_) == 0) {
+        std::size_t length = H5Tget_size(stored.id());
+        std::string all(n * length, '\0');
+        checked(H5Dread(data.id_.id(), stored.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()),
+                "H5Dread", data.place_);
+        if (length == 1 && !data.shape().empty()) length = data.shape().back();
+        for (std::size_t i = 0; i < all.size(); i += length) {
+            std::string text = all.substr(i, length);
+            text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
+            texts.push_back(std::move(text));
+        }
+        return texts;
+    }
     const Hdf5Handle type = text_type(0, data.place_), space = file_space(data.id_, data.place_);
+    // The library does not convert between character sets.
+    checked(H5Tset_cset(type.id(), H5Tget_cset(stored.id())), "H5Tset_cset", data.place_);
     std::vector<char*> values(n, nullptr);
     checked(H5Dread(data.id_.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
             "H5Dread", data.place_);
@@ -123,6 +140,46 @@ std::vector<std::string> Hdf5File::read_texts(const std::string& path) const {
     checked(H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, values.data()), "H5Dvlen_reclaim",
             data.place_);
     return texts;
+}
+
+std::vector<std::string> Hdf5File::dimensions(const std::string& path) const {
+    const Hdf5Dataset data = dataset(path);
+    std::vector<std::string> names;
+    const std::size_t rank = data.shape().size();
+    const auto name_of = [&](hid_t object) {
+        std::string name(256, '\0');
+        const auto length =
+            checked(H5Iget_name(object, name.data(), name.size()), "H5Iget_name", data.place_);
+        name.resize(std::min<std::size_t>(static_cast<std::size_t>(length), 255));
+        return name.substr(name.rfind('/') + 1);
+    };
+    const char* list = "DIMENSION_LIST";
+    if (checked(H5Aexists(data.id_.id(), list), "H5Aexists", data.place_) == 0) {
+        if (rank == 1) names.push_back(name_of(data.id_.id()));  // a scale of its own
+        return names;
+    }
+    const Hdf5Handle attribute(
+        checked(H5Aopen(data.id_.id(), list, H5P_DEFAULT), "H5Aopen", data.place_),
+        close_attribute);
+    const Hdf5Handle type(checked(H5Tvlen_create(H5T_STD_REF_OBJ), "H5Tvlen_create", data.place_),
+                          close_type);
+    std::vector<hvl_t> scales(rank, hvl_t{0, nullptr});
+    checked(H5Aread(attribute.id(), type.id(), scales.data()), "H5Aread", data.place_);
+    for (const hvl_t& scale : scales) {
+        if (scale.len == 0) {
+            names.emplace_back();
+            continue;
+        }
+        const Hdf5Handle object(
+            checked(H5Rdereference2(data.id_.id(), H5P_DEFAULT, H5R_OBJECT, scale.p),
+                    "H5Rdereference2", data.place_),
+            close_object);
+        names.push_back(name_of(object.id()));
+    }
+    const Hdf5Handle space = space_of({rank}, data.place_);
+    checked(H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, scales.data()), "H5Dvlen_reclaim",
+            data.place_);
+    return names;
 }
 
 std::string Hdf5File::read_text(const std::string& path) const { return read_texts(path).at(0); }

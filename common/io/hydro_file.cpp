@@ -5,253 +5,137 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/wave_rows.hpp"
+#include "environment/dispersion.hpp"
+#include "hydro_checks.hpp"
+#include "io/hydro_reading.hpp"
+#include "io/qtf_rows.hpp"
 
 namespace hawser::io {
 
 namespace {
-using Path = std::filesystem::path;
 
-/// What one reading shares: where the files are, what makes them dimensional, what went wrong.
-struct Reading {
-    const HydroDatabase& database;
-    double gravity;
-    FileProblems problems;
-    std::vector<std::string> notes;
-    bool symmetric_about_xz = false;  ///< told, or shown by the excitation
-
-    [[nodiscard]] Path file(const std::string& extension) const {
-        return database.path + extension;
+HydroSet read_set(Reading& reading) {
+    switch (reading.database.format) {
+        case HydroFormat::capytaine:
+            return read_capytaine_set(reading);
+        case HydroFormat::bemio:
+            return read_bemio_set(reading);
+        case HydroFormat::nemoh:
+            return read_nemoh_set(reading);
+        default:
+            return read_wamit_set(reading);
     }
-    [[nodiscard]] double power_of_length(int n) const { return std::pow(database.ulen, n); }
-};
-
-int rotation_of(int mode) { return mode >= 3 ? 1 : 0; }
-
-// A mode number of the file as 0 .. 5, or -1 with a problem.
-int mode_of(double number, const Path& file, int line, FileProblems& problems) {
-    const int mode = static_cast<int>(number);
-    if (mode == number && mode >= 1 && mode <= 6) return mode - 1;
-    problems.add(file, line,
-                 mode == number && mode > 6
-                     ? fmt::format("mode {} belongs to a second body; expected one body, modes "
-                                   "1 to 6",
-                                   mode)
-                     : fmt::format("expected a mode 1 to 6; got {:g}", number));
-    return -1;
 }
 
-double frequency_of(double period, const Path& file, int line, FileProblems& problems) {
-    if (period > 0.0) return 2.0 * M_PI / period;
-    problems.add(file, line, fmt::format("expected a period above zero; got {:g}", period));
-    return 0.0;
-}
-
-/// A 6x6 matrix whose terms come one by one. Terms without a row are zero; where only one of (i, j)
-/// and (j, i) has a row, it stands for both.
-struct GatheredMatrix {
-    Mat6 value = Mat6::Zero();
-    Eigen::Matrix<bool, 6, 6> given = Eigen::Matrix<bool, 6, 6>::Constant(false);
-
-    void set(int i, int j, double x) {
-        value(i, j) = x;
-        given(i, j) = true;
-    }
-    [[nodiscard]] Mat6 filled() const {
-        Mat6 m = value;
-        for (int i = 0; i < 6; ++i)
-            for (int j = 0; j < 6; ++j)
-                if (!given(i, j) && given(j, i)) m(i, j) = value(j, i);
-        return m;
-    }
-};
-
-// Largest |M_ij - M_ji| as a part of sqrt(M_ii M_jj).
-double asymmetry(const Mat6& M) {
-    double worst = 0.0;
-    for (int i = 0; i < 6; ++i)
-        for (int j = 0; j < i; ++j) {
-            const double scale = std::sqrt(std::abs(M(i, i) * M(j, j)));
-            if (scale > 0.0) worst = std::max(worst, std::abs(M(i, j) - M(j, i)) / scale);
-        }
-    return worst;
-}
-
-/// .1: PER I J A B; PER < 0 is zero, PER = 0 infinite frequency, both without B.
-void read_radiation(Reading& r, HydroData& data) {
-    const Path file = r.file(".1");
-    const std::vector<Record> records = read_records(file, 4, r.problems);
-    for (const Record& record : records)
-        if (record.numbers[0] > 0.0) data.frequencies.push_back(2.0 * M_PI / record.numbers[0]);
-    data.frequencies = distinct_frequencies(std::move(data.frequencies));
-
-    std::vector<GatheredMatrix> A(data.frequencies.size()), B(data.frequencies.size());
-    std::optional<GatheredMatrix> zero, infinite;
-    for (const Record& record : records) {
-        const int i = mode_of(record.numbers[1], file, record.line, r.problems);
-        const int j = mode_of(record.numbers[2], file, record.line, r.problems);
-        if (i < 0 || j < 0) continue;
-        const double scale =
-            r.database.rho * r.power_of_length(3 + rotation_of(i) + rotation_of(j));
-        const double period = record.numbers[0], added = scale * record.numbers[3];
-        if (period < 0.0) {
-            if (!zero) zero.emplace();
-            zero->set(i, j, added);
-        } else if (period == 0.0) {
-            if (!infinite) infinite.emplace();
-            infinite->set(i, j, added);
-        } else if (record.numbers.size() < 5) {
-            r.problems.add(file, record.line, "expected 5 numbers, PER I J A B; got 4");
-        } else {
-            const double w = 2.0 * M_PI / period;
-            const auto at = static_cast<std::size_t>(
-                std::lower_bound(data.frequencies.begin(), data.frequencies.end(), w * (1 - 4e-6)) -
-                data.frequencies.begin());
-            A[at].set(i, j, added);
-            B[at].set(i, j, scale * w * record.numbers[4]);
-        }
-    }
-    if (!records.empty() && data.frequencies.empty())
-        r.problems.add(file, 0, "holds no finite period");
-    double worst = 0.0;
-    for (std::size_t f = 0; f < A.size(); ++f) {
-        data.added_mass.push_back(A[f].filled());
-        data.damping.push_back(B[f].filled());
-        worst = std::max(worst, asymmetry(data.added_mass.back()));
-        for (int i = 0; i < 6; ++i)
-            if (data.damping.back()(i, i) < -1e-3 * data.frequencies[f] * data.added_mass[f](i, i))
-                r.notes.push_back(fmt::format("{}: damping of mode {} is negative at {:.4g} rad/s",
-                                              file.string(), i + 1, data.frequencies[f]));
-    }
-    if (worst > 0.02)
-        r.notes.push_back(fmt::format("{}: added mass is not symmetric, by {:.1f} %", file.string(),
-                                      100 * worst));
-    if (zero) data.added_mass_0 = zero->filled();
-    if (infinite) data.added_mass_inf = infinite->filled();
-}
-
-/// Mirrors and orders the headings of a table.
-void finish_headings(const Reading& r, WaveTable<CVec6>& table) {
-    const auto& planes = r.database.symmetry;
-    if (std::find(planes.begin(), planes.end(), "yz") != planes.end()) mirror(table, false);
-    if (r.symmetric_about_xz) mirror(table, true);
-    order_headings(table);
-}
-
-// Symmetry about xz: stated in the case, or plain from excitation over half a turn.
-void decide_symmetry(Reading& r, const WaveTable<CVec6>& excitation, const Path& file) {
-    const auto& planes = r.database.symmetry;
-    r.symmetric_about_xz = std::find(planes.begin(), planes.end(), "xz") != planes.end();
-    if (r.symmetric_about_xz || !looks_symmetric_about_xz(excitation)) return;
-    r.symmetric_about_xz = true;
-    r.notes.push_back(
-        fmt::format("{}: headings 0 to 180 deg are mirrored to a full turn: sway, roll and yaw "
-                    "vanish at both ends, so the hull is taken as symmetric about xz",
-                    file.string()));
-}
-
-/// .3 (or .2, Haskind): PER BETA I mod phase Re Im.
-void read_excitation(Reading& r, HydroData& data) {
-    Path file = r.file(".3");
-    if (!std::filesystem::exists(file) && !std::filesystem::exists(r.file(".2")))
-        return;  // still water needs none; with waves the check of the case has asked for it
-    if (!std::filesystem::exists(file) && std::filesystem::exists(r.file(".2"))) {
-        file = r.file(".2");
-        r.notes.push_back(
-            fmt::format("{}: excitation is taken from it, there is no .3", file.string()));
-    }
-    std::vector<WaveRow> rows;
-    for (const Record& record : read_records(file, 7, r.problems)) {
-        const auto& x = record.numbers;
-        const int i = mode_of(x[2], file, record.line, r.problems);
-        const double w = frequency_of(x[0], file, record.line, r.problems);
-        if (i < 0 || w <= 0.0) continue;
-        const double scale = r.database.rho * r.gravity * r.power_of_length(2 + rotation_of(i));
-        rows.push_back({record.line, w, x[1], i, scale * Complex(x[5], x[6])});
-    }
-    data.excitation = table_of(rows, file, r.problems);
-    std::vector<double> strange;  // periods without added mass
-    for (const WaveRow& row : rows) {
-        const auto same = [&](double w) { return same_frequency(w, row.frequency); };
-        if (std::any_of(data.frequencies.begin(), data.frequencies.end(), same) ||
-            std::any_of(strange.begin(), strange.end(), same))
-            continue;
-        strange.push_back(row.frequency);
-        r.problems.add(
-            file, row.line,
-            fmt::format("period {:.6g} s has excitation but no added mass and damping in "
-                        "{}",
-                        2 * M_PI / row.frequency, r.file(".1").filename().string()));
-    }
-    decide_symmetry(r, data.excitation, file);
-    finish_headings(r, data.excitation);
-}
-
-/// .8, else .9, else .7: PER BETA1 BETA2 I mod phase Re Im, rows with BETA1 = BETA2.
-void read_drift(Reading& r, HydroData& data) {
-    Path file;
-    for (const char* extension : {".8", ".9", ".7"})
-        if (file.empty() && std::filesystem::exists(r.file(extension))) file = r.file(extension);
-    if (file.empty()) return;
-    std::vector<WaveRow> rows;
-    for (const Record& record : read_records(file, 8, r.problems)) {
-        const auto& x = record.numbers;
-        if (x[3] < 0.0 || std::remainder(x[1] - x[2], 360.0) != 0.0) continue;
-        const int i = mode_of(x[3], file, record.line, r.problems);
-        const double w = frequency_of(x[0], file, record.line, r.problems);
-        if (i < 0 || w <= 0.0) continue;
-        const double scale = r.database.rho * r.gravity * r.power_of_length(1 + rotation_of(i));
-        rows.push_back({record.line, w, x[1], i, scale * x[6]});
-    }
-    WaveTable<CVec6> table = table_of(rows, file, r.problems);
-    finish_headings(r, table);
-    data.mean_drift.frequencies = table.frequencies;
-    data.mean_drift.full_circle = table.full_circle;
-    for (const auto& h : table.headings) {
-        HeadingData<Vec6>& real = data.mean_drift.headings.emplace_back();
-        real.heading = h.heading;
-        for (const CVec6& v : h.values) real.values.emplace_back(v.real());
-    }
-    data.drift_is_horizontal = file.extension() == ".8";
-    if (data.drift_is_horizontal)
-        r.notes.push_back(
-            fmt::format("{}: from momentum, so the mean drift of heave, roll and "
-                        "pitch is zero",
-                        file.string()));
-}
-
-/// .hst: I J C. K:7: what is left of C for heave, roll and pitch without buoyancy and weight.
-void read_hydrostatics(Reading& r, HydroData& data) {
-    const Path file = r.file(".hst");
+/// What the case states goes before what the files tell; where both do, they must agree.
+void stated_values(Reading& r, HydroData& data) {
     const HydroDatabase& d = r.database;
-    GatheredMatrix gathered;
-    const std::vector<Record> records = read_records(file, 3, r.problems);
-    for (const Record& record : records) {
-        const int i = mode_of(record.numbers[0], file, record.line, r.problems);
-        const int j = mode_of(record.numbers[1], file, record.line, r.problems);
-        if (i < 0 || j < 0) continue;
-        gathered.set(i, j,
-                     d.rho * r.gravity * r.power_of_length(2 + rotation_of(i) + rotation_of(j)) *
-                         record.numbers[2]);
+    const auto differs = [](double a, double b) { return std::abs(a - b) > 5e-3 * std::abs(b); };
+    if (d.rho) {
+        if (data.density > 0.0 && differs(*d.rho, data.density))
+            r.problems.add(d.path, 0,
+                           fmt::format("says a density of {:g} kg/m3; the key rho says {:g}",
+                                       data.density, *d.rho));
+        data.density = *d.rho;
     }
-    if (records.empty()) return;
-    const Mat6 C = gathered.filled();
-    const double z_B = d.centre_of_buoyancy.z() - d.reference_point.z();
-    double upright = d.rho * r.gravity * d.displaced_volume * z_B;
+    if (d.displaced_volume) {
+        if (data.displaced_volume > 0.0 && differs(*d.displaced_volume, data.displaced_volume))
+            r.problems.add(
+                d.path, 0,
+                fmt::format("says a displaced volume of {:.6g} m3; the key displaced_volume says "
+                            "{:.6g}",
+                            data.displaced_volume, *d.displaced_volume));
+        data.displaced_volume = *d.displaced_volume;
+    }
+    if (d.centre_of_buoyancy) data.centre_of_buoyancy = *d.centre_of_buoyancy;
+    if (data.density < 900.0 || data.density > 1100.0)
+        r.problems.add(
+            d.path, 0,
+            fmt::format("rho: expected the density of water, 900 to 1100 kg/m3; got {:g}",
+                        data.density));
+    if (data.gravity == 0.0) data.gravity = r.gravity;
+    if (data.depth == 0.0) data.depth = r.depth;
+}
+
+/// Mirrors and orders the headings of all tables. Symmetry about xz: stated in the case, or plain
+/// from excitation over half a turn.
+void finish_headings(Reading& r, const Path& file, HydroData& data) {
+    const auto& planes = r.database.symmetry;
+    const bool yz = std::find(planes.begin(), planes.end(), "yz") != planes.end();
+    bool xz = std::find(planes.begin(), planes.end(), "xz") != planes.end();
+    if (!xz && looks_symmetric_about_xz(data.excitation)) {
+        xz = true;
+        r.notes.push_back(
+            fmt::format("{}: headings 0 to 180 deg are mirrored to a full turn: sway, roll and yaw "
+                        "vanish at both ends, so the hull is taken as symmetric about xz",
+                        file.string()));
+    }
+    const auto finish = [&](auto& table) {
+        if (yz) mirror(table, false);
+        if (xz) mirror(table, true);
+        order_headings(table);
+    };
+    for (WaveTable<CVec6>* table :
+         {&data.excitation, &data.haskind, &data.froude_krylov, &data.scattering, &data.motion})
+        finish(*table);
+    finish(data.mean_drift);
+    for (Qtf* qtf : {&data.difference, &data.sum}) {
+        if (yz) mirror(*qtf, false);
+        if (xz) mirror(*qtf, true);
+    }
+}
+
+/// A crest at the files' origin at phase zero becomes a crest at O, which stands at (x0, y0) of
+/// their axes: X e^{+i k (x0 cos b + y0 sin b)}.
+void move_phase_origin(const std::vector<double>& at, HydroData& data) {
+    if (at.size() != 2 || (at[0] == 0.0 && at[1] == 0.0)) return;
+    const double depth = data.depth > 0.0 ? data.depth : 1e9;
+    const auto phase = [&](double w, double b) {
+        return wave_number(w, depth, data.gravity) * (at[0] * std::cos(b) + at[1] * std::sin(b));
+    };
+    for (WaveTable<CVec6>* table :
+         {&data.excitation, &data.haskind, &data.froude_krylov, &data.scattering, &data.motion})
+        for (auto& h : table->headings)
+            for (std::size_t f = 0; f < table->frequencies.size(); ++f)
+                h.values[f] *= std::polar(1.0, phase(table->frequencies[f], h.heading));
+    for (Qtf* qtf : {&data.difference, &data.sum})
+        for (QtfPair& p : qtf->pairs)
+            for (std::size_t m = 0, N = qtf->frequencies.size(); m < N; ++m)
+                for (std::size_t n = 0; n < N; ++n) {
+                    const double second = phase(qtf->frequencies[n], p.heading_2);
+                    p.values[m * N + n] *=
+                        std::polar(1.0, phase(qtf->frequencies[m], p.heading_1) +
+                                            (qtf == &data.sum ? second : -second));
+                }
+}
+
+/// K:7: what is left of C for heave, roll and pitch without buoyancy and weight, and C with its
+/// two parts apart; still about the files' origin P.
+void take_apart(Reading& r, const HydroSet& set, HydroData& data) {
+    if (!set.stiffness) return;
+    const HydroDatabase& d = r.database;
+    const Path& file = set.stiffness_file;
+    const Mat6& C = *set.stiffness;
     if (d.includes_weight) {
         if (C(3, 3) < 0.0 || C(4, 4) < 0.0)
             r.problems.add(file, 0,
                            "C44 or C55 is negative, which proves that the file does not contain "
                            "the weight; expected includes_weight: false");
-        upright -= d.included_mass * r.gravity * d.included_z;
+        // z_G about P, like the files' moments.
+        data.weight_stiffness(3, 3) = data.weight_stiffness(4, 4) =
+            -d.included_mass * data.gravity * d.included_z;
     }
-    Mat3 waterplane = C.block<3, 3>(2, 2);
-    waterplane(1, 1) -= upright;
-    waterplane(2, 2) -= upright;
+    data.buoyancy_stiffness = C - data.weight_stiffness;
+    if (data.displaced_volume == 0.0) return;
+    const double z_B = data.centre_of_buoyancy.z() - d.reference_point.z();
+    const double rho_g = data.density * data.gravity;
+    Mat3 waterplane = data.buoyancy_stiffness->block<3, 3>(2, 2);
+    waterplane(1, 1) -= rho_g * data.displaced_volume * z_B;
+    waterplane(2, 2) -= rho_g * data.displaced_volume * z_B;
 
     // Of all waterplanes of one area the disc has the least polar moment, A^2/(2 pi).
-    const double area = waterplane(0, 0) / (d.rho * r.gravity);
-    const double polar = (waterplane(1, 1) + waterplane(2, 2)) / (d.rho * r.gravity);
+    const double area = waterplane(0, 0) / rho_g;
+    const double polar = (waterplane(1, 1) + waterplane(2, 2)) / rho_g;
     if (area < 0.0 || polar < 0.9 * area * area / (2 * M_PI))
         r.problems.add(
             file, 0,
@@ -259,12 +143,7 @@ void read_hydrostatics(Reading& r, HydroData& data) {
                         "{:.5g} m4; C44 + C55 without buoyancy leave {:.5g} m4. Check ulen, "
                         "displaced_volume, centre_of_buoyancy and includes_weight",
                         area, area * area / (2 * M_PI), polar));
-
-    // From the files' origin P to O: z_P = z_O + roll y_P - pitch x_P.
-    Mat3 T = Mat3::Identity();
-    T(0, 1) = d.reference_point.y();
-    T(0, 2) = -d.reference_point.x();
-    data.waterplane_stiffness = T.transpose() * waterplane * T;
+    data.waterplane_stiffness = waterplane;
 }
 
 /// Moves everything from the files' origin to O: with (v_P, w) = T (v_O, w), A_O = T^t A T,
@@ -278,37 +157,109 @@ void shift_to_reference_point(const Vec3& r, HydroData& data) {
     for (Mat6& B : data.damping) shift(B);
     if (data.added_mass_0) shift(*data.added_mass_0);
     if (data.added_mass_inf) shift(*data.added_mass_inf);
-    for (auto& h : data.excitation.headings)
-        for (CVec6& X : h.values) X = (T.transpose().cast<Complex>() * X).eval();
+    CMat6 back = CMat6::Identity();  // T^-1
+    back.block<3, 3>(0, 3) = skew(r).cast<Complex>();
+    const CMat6 Tt = T.transpose().cast<Complex>();
+    for (WaveTable<CVec6>* table :
+         {&data.excitation, &data.haskind, &data.froude_krylov, &data.scattering})
+        for (auto& h : table->headings)
+            for (CVec6& X : h.values) X = (Tt * X).eval();
+    for (auto& h : data.motion.headings)
+        for (CVec6& X : h.values) X = (back * X).eval();
     for (auto& h : data.mean_drift.headings)
         for (Vec6& D : h.values) D = (T.transpose() * D).eval();
-}
-}  // namespace
+    for (Qtf* qtf : {&data.difference, &data.sum})
+        for (QtfPair& p : qtf->pairs)
+            for (CVec6& Q : p.values) Q = (Tt * Q).eval();
 
-HydroData read_hydro(const HydroDatabase& database, const Water& water) {
-    Reading r{database, water.gravity, {}, {}, false};
-    HydroData data;
-    data.density = database.rho;
-    data.displaced_volume = database.displaced_volume;
-    data.centre_of_buoyancy = database.centre_of_buoyancy;
-    if (database.rho < 900.0 || database.rho > 1100.0)
-        r.problems.add(
-            database.path, 0,
-            fmt::format("rho: expected the density of water, 900 to 1100 kg/m3; got {:g}",
-                        database.rho));
-    read_radiation(r, data);
-    read_excitation(r, data);
-    read_drift(r, data);
-    read_hydrostatics(r, data);
+    // z_P = z_O + roll y_P - pitch x_P. The buoyancy part of C moves as its waterplane does, and
+    // its rho g V z_B and the weight's -m g z_G take the height above O.
+    Mat3 S = Mat3::Identity();
+    S(0, 1) = r.y();
+    S(0, 2) = -r.x();
+    data.waterplane_stiffness = (S.transpose() * data.waterplane_stiffness * S).eval();
+    if (!data.buoyancy_stiffness) return;
+    Mat3 C = data.buoyancy_stiffness->block<3, 3>(2, 2);
+    C = (S.transpose() * C * S).eval();
+    const double lift = data.density * data.gravity * data.displaced_volume * r.z();
+    C(1, 1) += lift;
+    C(2, 2) += lift;
+    data.buoyancy_stiffness->block<3, 3>(2, 2) = C;
+}
+
+HydroData read_once(const HydroDatabase& database, const Water& water, double depth) {
+    Reading r{database, water.gravity, depth, {}, {}};
+    HydroSet set = read_set(r);
+    HydroData data = std::move(set.data);
+    stated_values(r, data);
+    finish_headings(r, set.excitation_file, data);
+    take_apart(r, set, data);
     if (!r.problems.empty()) throw HydroFileError(r.problems);
+    move_phase_origin(database.phase_origin, data);
     shift_to_reference_point(database.reference_point, data);
-    if (std::abs(database.rho / water.density - 1.0) > 0.01)
+    if (std::abs(data.density / water.density - 1.0) > 0.01)
         r.notes.push_back(
             fmt::format("{}: made dimensional with {:g} kg/m3, but the water of the "
                         "case has {:g} kg/m3",
-                        database.path, database.rho, water.density));
+                        database.path, data.density, water.density));
+    for (const HydroCheck& check : check_hydro(data)) {
+        const Path& file = check.about == HydroCheck::About::radiation   ? set.radiation_file
+                           : check.about == HydroCheck::About::stiffness ? set.stiffness_file
+                                                                         : set.excitation_file;
+        if (check.verdict == HydroCheck::Verdict::wrong) r.problems.add(file, 0, check.sentence);
+        if (check.verdict == HydroCheck::Verdict::doubtful)
+            r.notes.push_back(fmt::format("{}: {}", file.string(), check.sentence));
+    }
+    if (!r.problems.empty()) throw HydroFileError(r.problems);
     data.notes = std::move(r.notes);
     return data;
+}
+
+/// period_column: auto. The reading whose damping and excitation belong together by Haskind's
+/// relation is the right one.
+HydroData read_either(HydroDatabase database, const Water& water, double depth) {
+    std::optional<HydroData> best;
+    double least = 0.0;
+    std::string problems;
+    const char* is = "";
+    for (const auto& [column, word] :
+         {std::pair{PeriodColumn::period, "periods"}, {PeriodColumn::frequency, "frequencies"}}) {
+        database.period_column = column;
+        Reading r{database, water.gravity, depth, {}, {}};
+        HydroSet set = read_set(r);
+        stated_values(r, set.data);
+        if (!r.problems.empty()) {
+            if (problems.empty()) problems = r.problems.text();
+            continue;
+        }
+        finish_headings(r, set.excitation_file, set.data);
+        const std::optional<double> misfit = haskind_misfit(set.data);
+        if (!misfit || (best && *misfit >= least)) continue;
+        best.emplace();
+        least = *misfit;
+        is = word;
+    }
+    if (!best) {
+        FileProblems none;
+        none.add(database.path, 0,
+                 "cannot tell whether the first column holds periods or frequencies: excitation "
+                 "over a full turn of headings would; expected period_column: period or frequency");
+        throw HydroFileError(none);
+    }
+    database.period_column =
+        is == std::string("periods") ? PeriodColumn::period : PeriodColumn::frequency;
+    HydroData data = read_once(database, water, depth);
+    data.notes.insert(data.notes.begin(),
+                      fmt::format("{}: the first column is taken for {}: damping and excitation "
+                                  "then agree within {:.2g} % (Haskind)",
+                                  database.path, is, 100 * least));
+    return data;
+}
+}  // namespace
+
+HydroData read_hydro(const HydroDatabase& database, const Water& water, double depth) {
+    return database.period_column == PeriodColumn::automatic ? read_either(database, water, depth)
+                                                             : read_once(database, water, depth);
 }
 
 }  // namespace hawser::io

@@ -1,5 +1,5 @@
-// Reads the hydrodynamic coefficients of one hull from WAMIT numeric files (.1 .3 .hst and drift
-// .8, .9 or .7) into SI about the platform's reference point. One body; period in the first column.
+// Reads the hydrodynamic coefficients of one hull, whatever program made them, into SI about the
+// platform's reference point: WAMIT and HAMS numeric files, Capytaine NetCDF-4, BEMIO .h5, NEMOH.
 #pragma once
 
 #include <vector>
@@ -24,16 +24,20 @@ class HydroFileError : public RunError {
     std::vector<FileProblem> problems_;
 };
 
-/// Reads `path`.1 and so on. With rho, L = ulen and g the numbers become dimensional,
+/// Reads the set that `database` names. WAMIT's numbers become dimensional with rho, L = ulen and
+/// g,
 ///
 ///     A: rho L^k, B: rho w L^k   k = 3 + (i rotation) + (j rotation)
-///     X: rho g L^(2 + (i rotation))      D: rho g L^(1 + (i rotation))
-///     C: rho g L^(2 + (i rotation) + (j rotation))
+///     X: rho g L^(2 + (i rotation))      D, QTF: rho g L^(1 + (i rotation))
+///     C: rho g L^(2 + (i rotation) + (j rotation))      motion: L^-(i rotation)
 ///
 /// Missing terms are zero, an upper triangle is filled, headings are reduced to one turn, mirrored
 /// in the stated planes of symmetry, and never extrapolated. A set of 0 to 180 deg whose
-/// coefficients show symmetry about xz is mirrored without being told, with a note. Throws
-/// HydroFileError.
-HydroData read_hydro(const HydroDatabase& database, const Water& water);
+/// coefficients show symmetry about xz is mirrored without being told, with a note. What is wrong
+/// by hydro_checks.hpp is thrown, what is doubtful noted.
+///
+/// @param depth  of the water [m]; 0: not known, unless the files tell it; infinity: deep
+/// Throws HydroFileError.
+HydroData read_hydro(const HydroDatabase& database, const Water& water, double depth = 0.0);
 
 }  // namespace hawser::io

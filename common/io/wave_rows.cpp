@@ -34,6 +34,12 @@ std::vector<double> distinct_frequencies(std::vector<double> all) {
     return all;
 }
 
+std::size_t place_of_frequency(const std::vector<double>& frequencies, double w) {
+    return static_cast<std::size_t>(
+        std::lower_bound(frequencies.begin(), frequencies.end(), w * (1 - 4e-6)) -
+        frequencies.begin());
+}
+
 WaveTable<CVec6> table_of(const std::vector<WaveRow>& rows, const std::filesystem::path& file,
                           FileProblems& problems) {
     WaveTable<CVec6> table;
@@ -48,10 +54,7 @@ WaveTable<CVec6> table_of(const std::vector<WaveRow>& rows, const std::filesyste
             table.headings.push_back({b, std::vector<CVec6>(n, CVec6::Zero())});
             seen.emplace_back(n, 0);
         }
-        const auto f = static_cast<std::size_t>(std::lower_bound(table.frequencies.begin(),
-                                                                 table.frequencies.end(),
-                                                                 row.frequency * (1 - 4e-6)) -
-                                                table.frequencies.begin());
+        const std::size_t f = place_of_frequency(table.frequencies, row.frequency);
         table.headings[h].values[f][row.mode] = row.value;
         seen[h][f] = 1;
     }
@@ -66,18 +69,35 @@ WaveTable<CVec6> table_of(const std::vector<WaveRow>& rows, const std::filesyste
     return table;
 }
 
-void mirror(WaveTable<CVec6>& table, bool about_xz) {
+WaveTable<Vec6> real_part(const WaveTable<CVec6>& table) {
+    WaveTable<Vec6> real;
+    real.frequencies = table.frequencies;
+    for (const auto& h : table.headings) {
+        HeadingData<Vec6>& to = real.headings.emplace_back();
+        to.heading = h.heading;
+        for (const CVec6& v : h.values) to.values.emplace_back(v.real());
+    }
+    return real;
+}
+
+Vec6 mirror_sign(bool about_xz) {
     Vec6 sign;
     if (about_xz)
         sign << 1, -1, 1, -1, 1, -1;
     else
         sign << -1, 1, 1, 1, -1, -1;
+    return sign;
+}
+
+template <class Value>
+void mirror(WaveTable<Value>& table, bool about_xz) {
+    const Value sign = mirror_sign(about_xz).cast<typename Value::Scalar>();
     const std::size_t n = table.headings.size();
     for (std::size_t i = 0; i < n; ++i) {
-        HeadingData<CVec6> image = table.headings[i];
+        HeadingData<Value> image = table.headings[i];
         image.heading = reduced(about_xz ? -image.heading : M_PI - image.heading);
         if (place_of_heading(table.headings, image.heading) < table.headings.size()) continue;
-        for (CVec6& v : image.values) v = v.cwiseProduct(sign.cast<Complex>());
+        for (Value& v : image.values) v = v.cwiseProduct(sign).eval();
         table.headings.push_back(std::move(image));
     }
 }
@@ -103,7 +123,8 @@ bool looks_symmetric_about_xz(const WaveTable<CVec6>& table) {
     return has_0 && has_180 && across <= 1e-3 * along && across_moment <= 1e-3 * along_moment;
 }
 
-void order_headings(WaveTable<CVec6>& table) {
+template <class Value>
+void order_headings(WaveTable<Value>& table) {
     auto& all = table.headings;
     if (all.empty()) return;
     std::sort(all.begin(), all.end(),
@@ -124,5 +145,10 @@ void order_headings(WaveTable<CVec6>& table) {
     table.full_circle =
         n > 2 && widest <= widest_inside + same_heading && widest <= M_PI / 2 + same_heading;
 }
+
+template void mirror(WaveTable<Vec6>&, bool);
+template void mirror(WaveTable<CVec6>&, bool);
+template void order_headings(WaveTable<Vec6>&);
+template void order_headings(WaveTable<CVec6>&);
 
 }  // namespace hawser::io

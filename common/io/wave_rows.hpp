@@ -22,14 +22,24 @@ bool same_frequency(double a, double b);
 /// Ascending, without repetition.
 std::vector<double> distinct_frequencies(std::vector<double> all);
 
+/// Where w stands among them; it must be there.
+std::size_t place_of_frequency(const std::vector<double>& frequencies, double w);
+
 /// The table of a file. A pair (frequency, heading) of which no row exists while others of that
 /// frequency or heading do is a problem; a missing mode is zero.
 WaveTable<CVec6> table_of(const std::vector<WaveRow>& rows, const std::filesystem::path& file,
                           FileProblems& problems);
 
+/// The same of values that are real.
+WaveTable<Vec6> real_part(const WaveTable<CVec6>& table);
+
+/// Signs of the six modes mirrored in xz, or in yz.
+Vec6 mirror_sign(bool about_xz);
+
 /// Adds the mirror images in the plane xz (heading -b; sway, roll, yaw change sign) or yz (180 - b;
 /// surge, pitch, yaw change sign) of headings that are not there.
-void mirror(WaveTable<CVec6>& table, bool about_xz);
+template <class Value>
+void mirror(WaveTable<Value>& table, bool about_xz);
 
 /// True for headings over exactly half a turn, 0 to 180 deg, at whose ends sway, roll and yaw
 /// vanish beside surge, heave and pitch.
@@ -37,6 +47,7 @@ bool looks_symmetric_about_xz(const WaveTable<CVec6>& table);
 
 /// Sorts the headings so that the widest gap of the circle lies outside the range; says whether the
 /// range closes: no gap wider than 90 deg, none wider outside than inside.
-void order_headings(WaveTable<CVec6>& table);
+template <class Value>
+void order_headings(WaveTable<Value>& table);
 
 }  // namespace hawser::io

@@ -21,7 +21,7 @@ inline Case spar_case() {
     d.path = std::string(HAWSER_SOURCE_DIR) + "/cases/truss_spar/hydro/truss_spar";
     d.rho = 1025.0;
     d.displaced_volume = 100530.965;
-    d.centre_of_buoyancy = {0, 0, -51.875};
+    d.centre_of_buoyancy = Vec3(0, 0, -51.875);
     p.hydrodynamics.added_mass_frequency = 0.4;
     return c;
 }

@@ -63,7 +63,7 @@ StaticsReport find_statics(const Case& input, const StaticsRequest& request) {
     } else {
         std::optional<HydroData> hydro;
         if (const auto& database = input.platform->hydrodynamics.database)
-            hydro = io::read_hydro(*database, input.environment.water);
+            hydro = io::read_hydro(*database, input.environment);
         Hull hull(input, hydro ? &*hydro : nullptr);
         Case at_rest = input;
         at_rest.platform->initial = PlatformMotion{};

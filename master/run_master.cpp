@@ -33,7 +33,7 @@ ExitCode run_master(const Case& input, const RunRequest& request, io::Link& link
     ExitCode code = attempt(link, [&] {
         if (input.platform) {
             if (const auto& database = input.platform->hydrodynamics.database)
-                hydro = io::read_hydro(*database, input.environment.water);
+                hydro = io::read_hydro(*database, input.environment);
             hull = std::make_unique<master::Hull>(input, hydro ? &*hydro : nullptr);
         }
         io::prepare_run_folder(request.folder, request.force);

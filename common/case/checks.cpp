@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "case/declared.hpp"
+#include "case/hydro_of_case.hpp"
 #include "case/line_checks.hpp"
 #include "line_quantities.hpp"
 
@@ -78,45 +79,10 @@ class Checks {
         return w.type == WaveType::airy ? w.H / 2.0 : 0.93 * w.Hs;  // 1.86 Hs/2 in three hours
     }
 
-    /// Mass of water displaced at the design draft [kg].
-    double displaced_mass(const Platform& p) const {
-        const auto& database = p.hydrodynamics.database;
-        double volume = database ? database->displaced_volume.value_or(0.0) : 0.0;
-        for (const Member& m : p.members) {
-            const double top = std::max(m.from.z(), m.to.z()), low = std::min(m.from.z(), m.to.z());
-            const double length = (m.to - m.from).norm();
-            const double wet = top <= 0.0 ? 1.0 : low >= 0.0 ? 0.0 : -low / (top - low);
-            volume += m.displaced_area * length * wet;
-        }
-        return case_.environment.water.density * volume;
-    }
-
-    /// The water displaced against what the user believes; where only the files tell the volume,
-    /// this waits for them.
-    void displacement(const Platform& p) {
-        const double water = displaced_mass(p);
-        if (p.displacement && std::abs(*p.displacement / water - 1.0) > 0.005) {
-            error("platform.displacement",
-                  fmt::format("{:.0f} t given, but database and members displace {:.0f} t ({:+.2f} "
-                              "%; 0.5 % is allowed)",
-                              *p.displacement / 1e3, water / 1e3,
-                              100.0 * (*p.displacement / water - 1.0)));
-        }
-        if (p.mass && case_.lines.empty() && std::abs(*p.mass / water - 1.0) > 0.005) {
-            warning(
-                "platform.mass",
-                fmt::format("{:.0f} t, but {:.0f} t of water are displaced at the design draft: "
-                            "the platform will rise or sink; `auto` keeps the draft",
-                            *p.mass / 1e3, water / 1e3));
-        }
-        if (!p.mass && water == 0.0) {
-            error("platform.mass",
-                  "auto needs buoyancy: a database or members that displace water");
-        }
-    }
-
     void platform(const Platform& p) {
-        if (const auto& d = p.hydrodynamics.database; !d || d->displaced_volume) displacement(p);
+        // Where only the files tell the volume, this waits for them (hydro_of_case.hpp).
+        if (const auto& d = p.hydrodynamics.database; !d || d->displaced_volume)
+            check_displacement(case_, p, d ? *d->displaced_volume : 0.0, problems_);
         const Hydrodynamics& hydro = p.hydrodynamics;
         if (hydro.wave_phase == WavePhase::instantaneous && hydro.drift != Drift::none) {
             warning("platform.hydrodynamics.wave_phase",

@@ -218,27 +218,6 @@ class Loader {
     bool unreadable_ = false;
 };
 
-/// Gives problems of completion and checks the place of their key, or of the nearest above it.
-void locate(Problems& problems, const Places& places, const std::string& file) {
-    for (Problem& p : problems) {
-        if (!p.file.empty() || p.line > 0) continue;
-        std::string path = p.path;
-        auto place = places.find(path);
-        while (place == places.end() && !path.empty()) {
-            const std::size_t cut = path.find_last_of(".[");
-            path = cut == std::string::npos ? "" : path.substr(0, cut);
-            place = places.find(path);
-        }
-        if (place == places.end()) {
-            p.file = file;
-            continue;
-        }
-        p.file = place->second.file;
-        p.line = place->second.line;
-        p.column = place->second.column;
-    }
-}
-
 /// Is `format` the first key of the file itself (what it includes is merged before it)?
 bool starts_with_format(const std::string& text) {
     std::istringstream lines(text);
@@ -250,29 +229,36 @@ bool starts_with_format(const std::string& text) {
     return false;
 }
 
+/// Are the files of a database there? What is in them is another question.
 void hydro_files(const Case& value, Problems& problems) {
     if (!value.platform || !value.platform->hydrodynamics.database) return;
     const Hydrodynamics& hydro = value.platform->hydrodynamics;
-    const std::string& stem = hydro.database->path;
+    const HydroDatabase& database = *hydro.database;
+    const std::string& stem = database.path;
     if (stem.empty()) return;
+    const auto missing = [&](const char* key, const std::string& message) {
+        problems.push_back(
+            {Severity::error, std::string("platform.hydrodynamics") + key, message, {}});
+    };
+    const bool by_stem =
+        database.format == HydroFormat::wamit || database.format == HydroFormat::hams;
+    if (!by_stem) {
+        const bool folder = database.format == HydroFormat::nemoh;
+        if (folder ? !fs::is_directory(stem) : !fs::is_regular_file(stem))
+            missing(".database.path",
+                    fmt::format("there is no {} {}", folder ? "folder" : "file", stem));
+        return;
+    }
     std::vector<std::string> endings{".1", ".hst"};
     const bool haskind = !fs::is_regular_file(stem + ".3") && fs::is_regular_file(stem + ".2");
     if (!value.environment.waves.empty() && !haskind) endings.emplace_back(".3");
-    for (const std::string& ending : endings) {
-        if (fs::is_regular_file(stem + ending)) continue;
-        problems.push_back({Severity::error,
-                            "platform.hydrodynamics.database.path",
-                            fmt::format("there is no file {}{}", stem, ending),
-                            {}});
-    }
+    for (const std::string& ending : endings)
+        if (!fs::is_regular_file(stem + ending))
+            missing(".database.path", fmt::format("there is no file {}{}", stem, ending));
     if (hydro.drift == Drift::none || value.environment.waves.empty()) return;
-    for (const char* ending : {".8", ".9", ".7"}) {
+    for (const char* ending : {".8", ".9", ".7"})
         if (fs::is_regular_file(stem + ending)) return;
-    }
-    problems.push_back({Severity::error,
-                        "platform.hydrodynamics.drift",
-                        fmt::format("there is no file {}.8 with drift data", stem),
-                        {}});
+    missing(".drift", fmt::format("there is no file {}.8 with drift data", stem));
 }
 
 /// What the main file defines and nothing uses. Libraries that it includes may hold more.
@@ -323,7 +309,9 @@ CaseFile finish(Node root, const std::string& name, const std::string& file, con
         hydro_files(result.value, problems);
         unused(declared, reader.places(), file, problems);
     }
-    locate(problems, reader.places(), file);
+    result.file = file;
+    result.places = reader.places();
+    locate(problems, result);
     tidy(problems);
     if (has_errors(problems)) throw InputError(std::move(problems));
     result.resolved = echo(declared, reader, folder);
@@ -333,6 +321,26 @@ CaseFile finish(Node root, const std::string& name, const std::string& file, con
 }
 
 }  // namespace
+
+void locate(Problems& problems, const CaseFile& file) {
+    for (Problem& p : problems) {
+        if (!p.file.empty() || p.line > 0) continue;
+        std::string path = p.path;
+        auto place = file.places.find(path);
+        while (place == file.places.end() && !path.empty()) {
+            const std::size_t cut = path.find_last_of(".[");
+            path = cut == std::string::npos ? "" : path.substr(0, cut);
+            place = file.places.find(path);
+        }
+        if (place == file.places.end()) {
+            p.file = file.file;
+            continue;
+        }
+        p.file = place->second.file;
+        p.line = place->second.line;
+        p.column = place->second.column;
+    }
+}
 
 CaseFile read_case(const fs::path& path, const Overrides& overrides) {
     const std::optional<std::string> text = text_of(path);

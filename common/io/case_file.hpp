@@ -8,6 +8,7 @@
 
 #include "case/case.hpp"
 #include "case/problem.hpp"
+#include "io/case_tree.hpp"
 #include "io/problems.hpp"
 
 namespace hawser::io {
@@ -18,7 +19,12 @@ struct CaseFile {
     std::vector<std::string> notes;  ///< warnings and values chosen for the user, formatted
     Problems problems;               ///< the same, with their places
     std::vector<std::pair<std::string, std::string>> sources;  ///< file name, text
+    std::string file;                                          ///< its path
+    Places places;                                             ///< where each key stands
 };
+
+/// Gives problems that know a key only the place of that key, or of the nearest above it.
+void locate(Problems& problems, const CaseFile& file);
 
 /// Key path and value as on the command line: {"environment.waves[0].Hs", "12 m"}.
 using Overrides = std::vector<std::pair<std::string, std::string>>;

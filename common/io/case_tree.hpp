@@ -17,6 +17,9 @@ struct Place {
     int line = 0, column = 0;  ///< from 1; 0: not in a file
 };
 
+/// Where each key stands.
+using Places = std::map<std::string, Place, std::less<>>;
+
 struct Entry;
 
 struct Node {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "case/hydro_of_case.hpp"
 #include "io/case_schema.hpp"
 #include "io/hydro_file.hpp"
 
@@ -80,24 +81,32 @@ CaseFile read_and_check(const std::filesystem::path& path, const Overrides& over
     CaseFile file = read_case(path, overrides);
     const std::optional<Platform>& platform = file.value.platform;
     if (!platform || !platform->hydrodynamics.database) return file;
+    const HydroDatabase& database = *platform->hydrodynamics.database;
+    Problems found;
+    std::vector<std::string> notes;
     try {
-        const HydroData data =
-            read_hydro(*platform->hydrodynamics.database, file.value.environment.water);
-        for (const std::string& note : data.notes) {
-            file.problems.push_back({Severity::note, "", note, {}});
-            file.notes.push_back(format(file.problems.back()));
-        }
+        const HydroData data = read_hydro(database, file.value.environment);
+        notes = data.notes;
+        if (!database.displaced_volume)
+            check_displacement(file.value, *platform, data.displaced_volume, found);
+        check_coverage(file.value, *platform, data, found);
     } catch (const HydroFileError& error) {
         for (const FileProblem& p : error.problems()) {
             Problem problem{Severity::error, "", p.message, p.file};
             problem.line = p.line;
             problem.column = p.line > 0 ? 1 : 0;
-            file.problems.push_back(std::move(problem));
+            found.push_back(std::move(problem));
         }
-        tidy(file.problems);
-        throw InputError(std::move(file.problems));
     }
-    return file;
+    locate(found, file);
+    for (const std::string& note : notes) found.push_back({Severity::note, "", note, {}});
+    for (Problem& p : found) {
+        file.notes.push_back(format(p));
+        file.problems.push_back(std::move(p));
+    }
+    if (!has_errors(file.problems)) return file;
+    tidy(file.problems);
+    throw InputError(std::move(file.problems));
 }
 
 int check_command(const CommandLine& line, const SolveStatics& solve) {

@@ -262,4 +262,8 @@ HydroData read_hydro(const HydroDatabase& database, const Water& water, double d
                                                              : read_once(database, water, depth);
 }
 
+HydroData read_hydro(const HydroDatabase& database, const Environment& environment) {
+    return read_hydro(database, environment.water, environment.seabed.depth);
+}
+
 }  // namespace hawser::io

@@ -39,5 +39,7 @@ class HydroFileError : public RunError {
 /// @param depth  of the water [m]; 0: not known, unless the files tell it; infinity: deep
 /// Throws HydroFileError.
 HydroData read_hydro(const HydroDatabase& database, const Water& water, double depth = 0.0);
+/// The same with the water and depth of a case.
+HydroData read_hydro(const HydroDatabase& database, const Environment& environment);
 
 }  // namespace hawser::io

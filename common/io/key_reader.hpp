@@ -10,9 +10,6 @@
 
 namespace hawser::io {
 
-/// Where each key stands.
-using Places = std::map<std::string, Place, std::less<>>;
-
 class KeyReader {
  public:
     explicit KeyReader(Problems& problems) : problems_(problems) {}

@@ -150,7 +150,7 @@ class Checks {
                 if (B >= -1e-3 * wA || B >= worst) continue;
                 worst = B;
                 where = w;
-                large = B < -0.05 * most[static_cast<std::size_t>(i)] && B < -0.02 * wA;
+                large = B < -0.2 * most[static_cast<std::size_t>(i)] && B < -0.02 * wA;
             }
             if (worst == 0.0) continue;
             fine = false;

@@ -59,23 +59,10 @@ def damping_of(loss):
 
 
 def turning_points(t, x):
-    """Times and values of the extremes between crossings of the middle line, each from the parabola
+    """Times and values of the extremes between crossings of the mean, each from the parabola
     through three samples. Ripples beside the decaying motion do not count as turns. The first and the
     last piece of the series are left out."""
-    level = x.mean()
-    for _ in range(20):
-        when, what = extremes_about(level, t, x)
-        if len(what) < 3:
-            break
-        middle = np.mean(what[:-2] + 2 * what[1:-1] + what[2:]) / 4
-        if abs(middle - level) < 1e-9 * np.ptp(x):
-            break
-        level = middle
-    return when, what
-
-
-def extremes_about(level, t, x):
-    above = x > level
+    above = x > x.mean()
     edges = np.flatnonzero(above[1:] != above[:-1]) + 1  # first sample after each crossing
     when, what = [], []
     for first, end in zip(edges[:-1], edges[1:]):

@@ -68,7 +68,7 @@ class FreeDecay(unittest.TestCase):
         clean, dirty = free_decay(t, x), free_decay(t, x + ripple)
         self.assertEqual(len(dirty.when), len(clean.when))
         self.assertAlmostEqual(dirty.period / clean.period, 1, delta=5e-3)
-        self.assertAlmostEqual(dirty.p / clean.p, 1, delta=0.1)
+        self.assertAlmostEqual(dirty.p / clean.p, 1, delta=0.03)  # late turns, which it moves most, weigh least
 
     def test_needs_four_turns(self):
         t, x = oscillator(2 * 0.03 * W, 0, 1.0, periods=2)

@@ -221,6 +221,12 @@ def stiffness(label, case, wanted, *more, **changes):
     return found
 
 
+def equilibrium(label, case, note, **changes):
+    """The published mass, volume and mooring balance at the design draft: heave within 50 mm."""
+    found = HAWSER.asked("statics", case, **{**CALM, "platform.hydrodynamics.added_mass.constant": "0.2 rad/s", **changes})
+    row(label, f"equilibrium{note}: heave [m]", 0, found["platform"]["position"]["heave"], 0.05, relative=False)
+
+
 def offset_curve(label, case, file, **changes):
     """Restoring force against surge, all else held; MoorPy's catenaries."""
     what = "restoring force at 5 to 30 m of surge both ways, largest difference, part of the force [-]"
@@ -245,6 +251,9 @@ def oc3():
                           ("anchor", "tension at the anchor [N]", 736.94e3, 5e-3), ("K11", "K11 [N/m]", 41180, 5e-3),
                           ("K33", "K33 [N/m]", 11940, 5e-3), ("K15", "K15 [N/rad]", -2.821e6, 5e-3),
                           ("K55", "K55 [N.m/rad]", 3.111e8, 5e-3), ("K66", "K66 [N.m/rad]", 1.156e7, 5e-3)))
+    equilibrium("B3", OC3, "")
+    if REFERENCE:
+        equilibrium("B3", OC3, ", WAMIT files", **oc3_reference())
     offset_curve("B3", OC3, "oc3_surge_offset.csv")
     wanted = (("surge", 5, 0.05, 800, 125, 4e-2), ("sway", 5, 0.05, 800, 125, 4e-2), ("heave", 2, 0.2, 400, 31, 2e-2),
               ("roll", 3, 0.21, 400, 29.4, 2e-2), ("pitch", 3, 0.21, 400, 29.4, 2e-2))
@@ -316,6 +325,7 @@ def volturnus():
                               ("K11", "K11 [N/m]", 71892, 5e-3), ("K33", "K33 [N/m]", 60743, 5e-3),
                               ("K15", "K15 [N/rad]", 1.1447e6, 5e-3), ("K55", "K55 [N.m/rad]", 2.5859e8, 5e-3),
                               ("K66", "K66 [N.m/rad]", 2.5229e8, 5e-3)), **FIRM_BED)
+    equilibrium("B4", VOLTURN, "")
     offset_curve("B4", VOLTURN, "volturnus_surge_offset.csv", **FIRM_BED)
     wanted = (("surge", 5, 0.045, 900, 142.9, 5e-2), ("sway", 5, 0.045, 900, 142.9, 5e-2), ("heave", 2, 0.3, 300, 20.4, 5e-2),
               ("roll", 3, 0.23, 300, 27.8, 5e-2), ("pitch", 3, 0.23, 300, 27.8, 5e-2), ("yaw", 5, 0.07, 600, 90.9, 5e-2))

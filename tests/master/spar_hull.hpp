@@ -66,4 +66,35 @@ inline State run(const Hull& hull, State s, double step, int steps, const Watch&
     return s;
 }
 
+/// Its radiation with memory.
+inline Case spar_with_memory(RadiationMemoryKeys::Form form) {
+    Case c = spar_case();
+    c.platform->hydrodynamics.added_mass_frequency.reset();
+    c.platform->hydrodynamics.memory =
+        RadiationMemoryKeys{.form = form, .duration = 100, .order = {}};
+    return c;
+}
+
+/// As run, and the hull remembers its steps.
+inline State run_remembering(Hull& hull, State s, double h, int steps, const Watch& watch = {},
+                             const ExtraLoad& lines = {}) {
+    const auto rate = [&](double t, const State& y, Vec6* a = nullptr) {
+        HullLoads loads = hull.loads(t, y);
+        return hull.rate(t, y, loads, lines ? lines(t, y) : Vec6(Vec6::Zero()), a);
+    };
+    Vec6 acceleration;
+    State k1 = rate(0, s, &acceleration);
+    for (int i = 0; i < steps; ++i) {
+        const double t = i * h;
+        hull.remember(t, s, acceleration);
+        if (watch) watch(t, s, {});
+        const State k2 = rate(t + h / 2, s + h / 2 * k1);
+        const State k3 = rate(t + h / 2, s + h / 2 * k2);
+        const State k4 = rate(t + h, s + h * k3);
+        s += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+        k1 = rate(t + h, s, &acceleration);
+    }
+    return s;
+}
+
 }  // namespace hawser::master

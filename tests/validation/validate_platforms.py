@@ -378,6 +378,33 @@ def barge():
                 found.period, 5e-2)
 
 
+# --- B8: mean drift of a hemisphere by three methods --------------------------------------------------------------
+
+
+def hemisphere():
+    """What the program feels of each file of mean drift, in rho g A2 R. The .7 and .8 agree within 2 %; of several the
+    .8 is taken, whose neighbour by pressure, the .9, is wrong here above 3 rad/s."""
+    if not REFERENCE:
+        skip("B8", "WAMIT files: mean drift")
+        return
+    source = Path(REFERENCE, "hemisphere_drift")
+    with tempfile.TemporaryDirectory() as folder:
+        stems = {}
+        for name, drifts in ((".7", [".7"]), (".8", [".8"]), (".9", [".9"]), ("all", [".7", ".8", ".9"])):
+            stems[name] = Path(folder, "set" + name.replace(".", ""))
+            for ending in (".1", ".3", ".hst", *drifts):
+                os.symlink(source / ("sphere" + ending), str(stems[name]) + ending)
+        for w, by_surface, by_momentum in ((2.8, 0.0597, 0.0603), (3.7, 0.7288, 0.7220), (4.6, 0.6453, 0.6357)):
+            felt = {}
+            for name, stem in stems.items():
+                run = HAWSER.run(CASES / "b8.yml", parameters__hydro=stem, parameters__T=f"{2 * math.pi / w!r} s")
+                felt[name] = run.loads["drift"][-1, 0] / (1025 * 9.80665 * 1e-6)
+            row("B8", f"{w} rad/s: surge drift of the .7 [rho g A2 R]", by_surface, felt[".7"], 5e-3)
+            row("B8", f"{w} rad/s: surge drift of the .8 [rho g A2 R]", by_momentum, felt[".8"], 5e-3)
+            row("B8", f"{w} rad/s: with all three files [rho g A2 R]", felt[".8"], felt["all"], 1e-12)
+            row("B8", f"{w} rad/s: .7 against .8", felt[".8"], felt[".7"], 2e-2)
+
+
 # --- B10: heave of a classic spar ---------------------------------------------------------------------------------
 
 
@@ -405,6 +432,7 @@ ALL = {
     "B3b": oc3_in_waves,
     "B4": volturnus,
     "B5": barge,
+    "B8": hemisphere,
     "B10": classic_spar,
 }
 

@@ -12,6 +12,7 @@ import math
 import os
 import sys
 import tempfile
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -286,6 +287,7 @@ def oc3_in_waves():
                     row("B3b", f"{name}, {w} rad/s, {lines}, drag {drag}: {motion} [{unit}]", value, abs(X[motion]), 2e-2)
 
 
+@lru_cache
 def oc3_chain(w):
     """Vertical stiffness of the three lines at w [N/m], complex, by lumped masses."""
     line = lumped_mass.Line([lumped_mass.Part(902.2, 30, 77.7066, 0.09, 384.243e6, 1.6, 0.31416)])

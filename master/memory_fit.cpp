@@ -324,8 +324,8 @@ MemoryFit fit_of(const Samples& s, const std::vector<Poles>& poles) {
     return fit;
 }
 
-/// Fits of one oscillator, of two, and so on; each is at least as good as the one before, for the
-/// poles before and one more are tried as well.
+/// Fits of one oscillator, of two, and so on. The poles before and one more are tried as well, and
+/// a fit that is no better than the one before is not taken.
 class Ladder {
  public:
     Ladder(const Samples& s, double D)
@@ -333,24 +333,28 @@ class Ladder {
 
     const MemoryFit& next() {
         const int order = ++order_;
+        const std::vector<Poles> before = poles_;
         std::vector<Poles> spread;
         for (int p = 1; p <= order; ++p) {
             const double b = last_ * p / (order + 0.5);
             spread.push_back({0.2 * b, b});
         }
         spread = settled(s_, std::move(spread), fastest_);
-        MemoryFit fit = fit_of(s_, spread);
+        take_if_better(spread);
         if (order > 1) {
-            std::vector<Poles> more = poles_;
+            std::vector<Poles> more = before;
             more.push_back({0.5 * last_, 0.5 * last_});
-            MemoryFit other = fit_of(s_, more);
-            if (other.rms_error < fit.rms_error) fit = std::move(other), spread = std::move(more);
+            take_if_better(more);
         }
-        fit_ = std::move(fit), poles_ = std::move(spread);
         return fit_;
     }
 
  private:
+    void take_if_better(const std::vector<Poles>& poles) {
+        MemoryFit fit = fit_of(s_, poles);
+        if (order_ == 1 || fit.rms_error < fit_.rms_error) fit_ = std::move(fit), poles_ = poles;
+    }
+
     const Samples& s_;
     double fastest_, last_;
     int order_ = 0;

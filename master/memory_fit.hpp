@@ -36,11 +36,11 @@ struct MemoryFit {
 /// Fits data about O on body axes. Entries are compared on the scale of their motions' radiation,
 /// frequencies with weight 1/sqrt(1 + (w D)^8): the platform's step D does not resolve what lies
 /// above 1/D, and poles stay below 2/D, where the Runge-Kutta step is stable. H(0) = 0 holds
-/// exactly. A fit with negative damping anywhere is changed by the least amount that mends it. More
-/// oscillators never have a larger rms error.
+/// exactly. A fit with negative damping anywhere is changed by the least amount that mends it.
+/// Oscillators that bring nothing are left out, so a higher order never has a larger rms error.
 ///
 /// @param D      step of the platform [s]
-/// @param order  number of oscillators, at most half the number of frequencies; empty: the fewest
+/// @param order  oscillators at most, and at most half the number of frequencies; empty: the fewest
 ///               with an rms error below 0.5 %, or if none has, within a tenth of the best
 /// Throws RunError (input) if the data have fewer than eight frequencies.
 MemoryFit fit_memory(const HydroData& data, const Mat6& infinite_added_mass, double D,

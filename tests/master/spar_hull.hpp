@@ -2,6 +2,8 @@
 // integrator for tests of the platform without the time loop.
 #pragma once
 
+#include <Eigen/LU>
+#include <cmath>
 #include <functional>
 
 #include "hull.hpp"
@@ -95,6 +97,22 @@ inline State run_remembering(Hull& hull, State s, double h, int steps, const Wat
         k1 = rate(t + h, s, &acceleration);
     }
     return s;
+}
+
+/// Motions of the free hull per metre of wave along x at a frequency of the data, in the frequency
+/// domain: [ C - w^2 (M + A) + i w B ] x = X.
+inline CVec6 linear_response(const Hull& hull, const HydroData& data, double w) {
+    const Radiation r = radiation_at(data, w);
+    std::size_t f = 0;
+    while (data.excitation.frequencies[f] < w - 1e-6) ++f;
+    std::size_t along = 0;
+    while (std::abs(data.excitation.headings[along].heading) > 1e-9) ++along;
+    const Mat6 M = mass_matrix(turned(hull.body(), Mat3::Identity()));
+    const Mat6 C =
+        hull.static_stiffness({}, {.current = false, .wind_mean = false, .drift_mean = false});
+    const Eigen::Matrix<Complex, 6, 6> Z = (C - w * w * (M + r.added_mass)).cast<Complex>() +
+                                           Complex(0, w) * r.damping.cast<Complex>();
+    return Z.fullPivLu().solve(data.excitation.headings[along].values[f]);
 }
 
 }  // namespace hawser::master

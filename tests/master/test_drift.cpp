@@ -115,8 +115,8 @@ TEST(NewmanDrift, MeanIsTwiceTheIntegralOfSpectrumTimesDrift) {  // validation r
     for (std::size_t i = 0; i < sea.components.size(); ++i)
         sum += 2 * (sea.components[i].amplitude * sea.components[i].amplitude / 2) * sea.D(i);
     EXPECT_NEAR(sea.at(55).mean[0], sum, 1e-9 * sum);
-    // 0.619 MN with the integral; a hundred components sample its narrow heave peak roughly.
-    EXPECT_NEAR(sea.at(0).mean[0], 0.619e6, 0.03e6);
+    // 0.597 MN with the integral (cases/truss_spar/README.md), a hundred components for it.
+    EXPECT_NEAR(sea.at(0).mean[0], 0.597e6, 0.005e6);
     double mean = 0, power = 0;  // in time: 3 h, 0.5 % of the standard deviation or so
     const int n = 10800;
     for (int i = 0; i < n; ++i) {

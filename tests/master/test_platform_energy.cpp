@@ -139,7 +139,7 @@ TEST(UndampedPlatform, LosesInHeaveWhatTheSchemeTakesAndNothingElse) {  // P:3
 /// Mean power [W] of the force that drives the hull through Re(x e^{i w t}), once steady. Its
 /// inertia and weight give back what they take: what is left is radiated.
 double mean_power(Hull& hull, const CVec6& x, double w) {
-    const int per_period = 48, periods = 40;
+    const int per_period = 32, periods = 30;
     const double h = 2 * M_PI / w / per_period;
     const Mat6 mass =
         mass_matrix(turned(hull.body(), Mat3::Identity())) + hull.radiation().added_mass;
@@ -185,14 +185,14 @@ TEST(Radiation, TakesTheWorkOfItsDamping) {  // mean power 1/2 w^2 x^H B(w) x; K
     motions[1][2] = 1e-3;                                            // heave
     motions[2][0] = 1e-3, motions[2][4] = Complex(0.3e-5, -1.2e-5);  // surge leads pitch
     motions[3][1] = Complex(0, 1e-3), motions[3][3] = 1e-5, motions[3][2] = 5e-4;  // all across
-    for (const double w : {0.3, 0.5, 0.7, 1.0}) {
+    for (const double w : {0.3, 0.6, 1.0}) {
         Case constant = spar_case();
         constant.platform->hydrodynamics.added_mass_frequency = w;
         std::array<Case, 3> cases = {constant, spar_with_memory(Form::fitted),
                                      spar_with_memory(Form::discrete)};
         for (std::size_t form = 0; form < cases.size(); ++form) {
             Case& c = cases[form];
-            c.analysis.dynamics.platform_step = 2 * M_PI / w / 48;
+            c.analysis.dynamics.platform_step = 2 * M_PI / w / 32;
             Hull hull(c, &data);
             for (std::size_t i = 0; i < motions.size(); ++i) {
                 const CVec6& x = motions[i];

@@ -93,13 +93,12 @@ TEST(MemoryFit, HoldsTheSparsDataAndNeverGivesEnergyToAMotion) {
 TEST(MemoryFit, NeverLosesByMoreOscillatorsAndAutoTakesTheFewestThatDo) {
     const HydroData& data = spar_data();
     std::vector<MemoryFit> fits;
-    for (int order = 1; order <= most_oscillators; ++order) {
+    for (int order = 1; order <= 8; ++order) {
         fits.push_back(fit_memory(data, *data.added_mass_inf, 0.5, order));
         const MemoryFit& fit = fits.back();
-        ASSERT_EQ(std::ssize(fit.oscillators), order);
+        ASSERT_LE(std::ssize(fit.oscillators), order);
         if (order > 1) {
-            // to the trace above zero to which the dips are set
-            EXPECT_LE(fit.rms_error, 1.0001 * fits[fits.size() - 2].rms_error);
+            EXPECT_LE(fit.rms_error, fits[fits.size() - 2].rms_error);
         }
         // No steady velocity meets a radiation load, and no motion gains energy at any frequency,
         // looked at between the frequencies that the fit looks at and far beyond.
@@ -225,19 +224,7 @@ TEST(HullWithMemory, RespondsAtEveryFrequencyWithTheMatricesOfThatFrequency) {  
             c.analysis.dynamics.ramp = 400;
             c.analysis.dynamics.platform_step = 0.25;
             Hull hull(c, &data);
-            const Radiation r = radiation_at(data, w);
-            const auto f = static_cast<std::size_t>(
-                std::lower_bound(data.excitation.frequencies.begin(),
-                                 data.excitation.frequencies.end(), w - 1e-6) -
-                data.excitation.frequencies.begin());
-            ASSERT_NEAR(data.excitation.frequencies[f], w, 1e-6);
-            const CVec6 X = data.excitation.headings.front().values[f];
-            const Mat6 M = mass_matrix(turned(hull.body(), Mat3::Identity()));
-            const Mat6 C = hull.static_stiffness(
-                {}, {.current = false, .wind_mean = false, .drift_mean = false});
-            const CMat6 Z = (C - w * w * (M + r.added_mass)).cast<Complex>() +
-                            Complex(0, w) * r.damping.cast<Complex>();
-            const CVec6 expected = Z.fullPivLu().solve(X);
+            const CVec6 expected = linear_response(hull, data, w);
             const int n = 2000;
             Eigen::MatrixXd basis(n, 8), motion(n, 3);
             int row = 0;

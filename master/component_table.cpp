@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cubic_weights.hpp"
 #include "status.hpp"
 
 namespace hawser::master {
@@ -12,15 +13,6 @@ namespace hawser::master {
 namespace {
 constexpr double turn = 2.0 * M_PI;
 constexpr double at_the_end = 1e-6;  // [rad] rounding allowed at the ends of an open range
-
-// Slope at the middle of three points as a sum over their values: h0, h1 are the two intervals.
-struct Slope {
-    double before, here, after;
-};
-Slope parabola_slope(double h0, double h1) {
-    const double a = h1 / (h0 * (h0 + h1)), b = h0 / (h1 * (h0 + h1));
-    return {-a, a - b, b};
-}
 }  // namespace
 
 HeadingWeights heading_weights(const std::vector<double>& headings, bool full_circle, double b) {
@@ -29,6 +21,17 @@ HeadingWeights heading_weights(const std::vector<double>& headings, bool full_ci
         const int lap = i < 0 ? -1 : i >= n ? 1 : 0;
         return headings[static_cast<std::size_t>(i - lap * n)] + lap * turn;
     };
+    if (n == 1) {
+        if (std::abs(std::remainder(b - headings.front(), turn)) > one_heading_reach + at_the_end)
+            throw RunError(
+                ExitCode::diverged,
+                fmt::format("a wave meets the platform from a heading of {:.2f} deg; the database "
+                            "has only {:.2f} deg, which serves within {:g} deg to either side: "
+                            "compute more headings",
+                            std::remainder(b, turn) * 180 / M_PI, headings.front() * 180 / M_PI,
+                            one_heading_reach * 180 / M_PI));
+        return {.index = {}, .weight = {1.0, 0.0, 0.0, 0.0}};
+    }
     b -= turn * std::floor((b - headings.front()) / turn);  // into [first, first + 2 pi)
     if (!full_circle) {
         if (b > headings.back() && b - turn > headings.front() - at_the_end) b = headings.front();
@@ -43,31 +46,16 @@ HeadingWeights heading_weights(const std::vector<double>& headings, bool full_ci
                             headings.back() * 180 / M_PI));
         b = std::min(b, headings.back());
     }
-    HeadingWeights w;
-    if (n == 1) {
-        w.weight[0] = 1.0;
-        return w;
-    }
     int i =
         static_cast<int>(std::upper_bound(headings.begin(), headings.end(), b) - headings.begin()) -
         1;
     if (!full_circle) i = std::min(i, n - 2);
-    const double h = at(i + 1) - at(i), s = (b - at(i)) / h;
-    const double value0 = (1 + 2 * s) * (1 - s) * (1 - s), slope0 = s * (1 - s) * (1 - s) * h;
-    const double value1 = s * s * (3 - 2 * s), slope1 = -s * s * (1 - s) * h;
-    std::array<double, 4> weight{0.0, value0, value1, 0.0};  // at i - 1, i, i + 1, i + 2
     const bool before = full_circle || i > 0, after = full_circle || i + 2 < n;
-    const Slope m0 = before ? parabola_slope(at(i) - at(i - 1), h) : Slope{0.0, -1 / h, 1 / h};
-    const Slope m1 = after ? parabola_slope(h, at(i + 2) - at(i + 1)) : Slope{-1 / h, 1 / h, 0.0};
-    weight[0] += slope0 * m0.before;
-    weight[1] += slope0 * m0.here + slope1 * m1.before;
-    weight[2] += slope0 * m0.after + slope1 * m1.here;
-    weight[3] += slope1 * m1.after;
-    for (int k = 0; k < 4; ++k) {
-        w.weight[static_cast<std::size_t>(k)] = weight[static_cast<std::size_t>(k)];
+    HeadingWeights w;
+    w.weight = cubic_weights({at(i - 1), at(i), at(i + 1), at(i + 2)}, before, after, b);
+    for (int k = 0; k < 4; ++k)
         w.index[static_cast<std::size_t>(k)] =
             full_circle ? (i - 1 + k + n) % n : std::clamp(i - 1 + k, 0, n - 1);
-    }
     return w;
 }
 

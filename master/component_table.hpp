@@ -7,6 +7,7 @@
 
 #include "environment/sea.hpp"
 #include "hydro_data.hpp"
+#include "wave_table.hpp"
 
 namespace hawser::master {
 
@@ -18,7 +19,8 @@ struct HeadingWeights {
 
 /// Cubic Hermite interpolation between the neighbouring headings, with slopes of the parabola
 /// through three of them: continuous slope, so that the loads are smooth in yaw; exact for
-/// parabolas inside. Ends of an open range have the slope of their interval.
+/// parabolas inside. Ends of an open range have the slope of their interval. A table of one heading
+/// serves within one_heading_reach to either side.
 ///
 /// @param headings  ascending [rad]
 /// @param heading   any [rad]; reduced to the range. Throws RunError (diverged) outside an open one

@@ -115,7 +115,16 @@ Hull::Hull(const Case& c, const HydroData* data)
     cutoff_ = sea_.has_waves() ? h.slow_cutoff.value_or(sea_.peak_frequency() / 4) : 0.0;
     if (data != nullptr && sea_.has_waves()) {
         excitation_ = ComponentTable<CVec6>(data->excitation, sea_.components());
-        if (drift_ != Drift::none) {
+        if (drift_ == Drift::full_qtf) {
+            if (data->difference.empty())
+                throw RunError(ExitCode::input,
+                               "platform.hydrodynamics.drift: full_qtf: expected a database with a "
+                               "difference-frequency QTF (.10d, .11d or .12d); found none of them");
+            using Of = QuadraticLoad::Of;
+            differences_ = QuadraticLoad(data->difference, Of::differences, sea_.components());
+            sums_ = QuadraticLoad(data->sum, Of::sums, sea_.components());
+            mean_drift_ = ComponentTable<Vec6>(differences_.diagonal(), sea_.components());
+        } else if (drift_ != Drift::none) {
             if (data->mean_drift.empty())
                 throw RunError(ExitCode::input,
                                "platform.hydrodynamics.drift: expected a database with mean drift "
@@ -160,6 +169,10 @@ HullLoads Hull::loads(double t, const State& s) const {
         const DriftLoad drift = drift_load(mean_drift_, sea_.components(), slow_phases_, slow.yaw);
         loads[Load::drift] = mean_factor(statics_.drift_mean, r) * drift.mean;
         if (drift_ == Drift::newman) loads[Load::drift] += r * (drift.slow - drift.mean);
+        if (drift_ == Drift::full_qtf) {  // K:11, K:12
+            loads[Load::drift] += r * (differences_.load(slow_phases_, slow.yaw) - drift.mean);
+            loads[Load::wave2] = r * sums_.load(slow_phases_, slow.yaw);
+        }
     }
 
     const double current_factor = mean_factor(statics_.current, r);

@@ -17,6 +17,7 @@
 #include "radiation.hpp"
 #include "radiation_memory.hpp"
 #include "rigid_body.hpp"
+#include "second_order.hpp"
 #include "state.hpp"
 #include "wind_load.hpp"
 
@@ -26,6 +27,7 @@ namespace hawser::master {
 enum class Load : int {
     wave1,        ///< first-order excitation of the database
     drift,        ///< mean and slow drift
+    wave2,        ///< sum-frequency force of full QTFs
     radiation,    ///< -A_w (x_O'', w') - B_w (x_O', w) of the database, or with memory K:9, K:10
     hydrostatic,  ///< buoyancy of database and members, waterplane terms
     weight,
@@ -36,10 +38,10 @@ enum class Load : int {
     damping,  ///< the user's
     lines,
 };
-constexpr int load_count = 11;
+constexpr int load_count = 12;
 constexpr std::array<std::string_view, load_count> load_names = {
-    "wave1",  "drift",   "radiation", "hydrostatic", "weight", "members",
-    "plates", "current", "wind",      "damping",     "lines"};
+    "wave1",   "drift",  "wave2",   "radiation", "hydrostatic", "weight",
+    "members", "plates", "current", "wind",      "damping",     "lines"};
 
 /// Loads about O on world axes [N, N.m] by component, and the added mass that is wet at the moment.
 struct HullLoads {
@@ -137,6 +139,7 @@ class Hull {
     double cutoff_ = 0.0;
     ComponentTable<CVec6> excitation_;
     ComponentTable<Vec6> mean_drift_;
+    QuadraticLoad differences_, sums_;
     MemberLoads members_;
     PlateLoads plates_;
     WindLoad wind_;

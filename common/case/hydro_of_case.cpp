@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "environment/wave_components.hpp"
 #include "status.hpp"
+#include "wave_table.hpp"
 
 namespace hawser {
 
@@ -28,6 +30,9 @@ double displaced_mass(const Case& input, const Platform& p, double volume) {
 template <class Value>
 bool covers(const WaveTable<Value>& table, double heading) {
     if (table.full_circle) return true;
+    if (table.headings.size() == 1)
+        return std::abs(std::remainder(heading - table.headings.front().heading, turn)) <=
+               one_heading_reach + rounding;
     const double first = table.headings.front().heading, last = table.headings.back().heading;
     const double b = heading - turn * std::floor((heading - first + rounding) / turn);
     return b <= last + rounding;
@@ -72,6 +77,85 @@ void check_waves(const Case& input, const WaveTable<Value>& table, double yaw,
                          100 * outside / energy, what, table.frequencies.front(),
                          table.frequencies.back()),
              {}});
+}
+
+/// The pairs of the waves' components that the QTF does not have are zero: how much they would
+/// carry, by the product of their energies.
+void check_pairs(const Case& input, const Qtf& qtf, const std::string& what, Problems& problems) {
+    const Environment& e = input.environment;
+    const std::vector<double>& at = qtf.frequencies;
+    const std::size_t N = at.size();
+    std::vector<double> energy(N, 0.0);  // of the waves nearest to each frequency of the file
+    for (const WaveTrain& train : e.waves)
+        for (const WaveComponent& c : wave_components(train, e.seabed.depth, e.water.gravity)) {
+            std::size_t nearest = 0;
+            for (std::size_t g = 1; g < N; ++g)
+                if (std::abs(at[g] - c.omega) < std::abs(at[nearest] - c.omega)) nearest = g;
+            energy[nearest] += c.amplitude * c.amplitude;
+        }
+    double all = 0.0, missing = 0.0;
+    for (const QtfPair& pair : qtf.pairs) {
+        if (std::abs(std::remainder(pair.heading_1 - pair.heading_2, turn)) > rounding) continue;
+        for (std::size_t m = 0; m < N; ++m)
+            for (std::size_t n = 0; n < N; ++n) {
+                all += energy[m] * energy[n];
+                if (pair.given[m * N + n] == 0) missing += energy[m] * energy[n];
+            }
+        for (std::size_t m = 0; m < N; ++m)
+            if (pair.given[m * N + m] == 0 && energy[m] > 0.0) {
+                problems.push_back(
+                    {Severity::error,
+                     "platform.hydrodynamics.drift",
+                     fmt::format("the database's {} has no value on its diagonal at {:.4g} rad/s, "
+                                 "heading {:.4g} deg",
+                                 what, at[m], pair.heading_1 / degree),
+                     {}});
+                return;
+            }
+    }
+    if (missing > 0.01 * all)
+        problems.push_back(
+            {Severity::warning,
+             "platform.hydrodynamics.drift",
+             fmt::format("the database's {} lacks pairs of frequencies that carry {:.1f} % of the "
+                         "pairs of the waves by energy; they are taken for zero",
+                         what, 100 * missing / all),
+             {}});
+}
+
+/// Full QTFs: there, over the frequencies and headings of the waves, with all pairs.
+void check_qtf(const Case& input, const Platform& p, const HydroData& data, Problems& problems) {
+    const auto add = [&](Severity severity, std::string message) {
+        problems.push_back({severity, "platform.hydrodynamics.drift", std::move(message), {}});
+    };
+    if (data.difference.empty()) {
+        add(Severity::error,
+            "full_qtf: the database holds no difference-frequency QTF (.10d, .11d or .12d); "
+            "newman does with mean drift alone");
+        return;
+    }
+    if (data.sum.empty())
+        add(Severity::note, "no sum-frequency QTF in the database: difference frequencies alone");
+    std::vector<double> headings;  // that the waves have
+    for (const WaveTrain& train : input.environment.waves) headings.push_back(train.heading);
+    const bool several = std::adjacent_find(headings.begin(), headings.end(),
+                                            std::not_equal_to<>()) != headings.end();
+    for (const auto& [qtf, what] :
+         {std::pair{&data.difference, "difference QTF"}, {&data.sum, "sum QTF"}}) {
+        if (qtf->empty()) continue;
+        const WaveTable<CVec6> own = diagonal(*qtf);
+        if (own.empty()) {
+            add(Severity::error, fmt::format("the database's {} has no equal headings", what));
+            continue;
+        }
+        check_waves(input, own, p.initial.angles.z(), what, problems);
+        check_pairs(input, *qtf, what, problems);
+        const std::size_t H = own.headings.size();
+        if (several && H > 1 && qtf->pairs.size() < H * H)
+            add(Severity::note, fmt::format("the {} lacks pairs of unequal headings: waves of two "
+                                            "headings take the mean of their own",
+                                            what));
+    }
 }
 }  // namespace
 
@@ -123,6 +207,10 @@ void check_coverage(const Case& input, const Platform& p, const HydroData& data,
     try {
         check_waves(input, data.excitation, p.initial.angles.z(), "excitation", problems);
         if (p.hydrodynamics.drift == Drift::none) return;
+        if (p.hydrodynamics.drift == Drift::full_qtf) {
+            check_qtf(input, p, data, problems);
+            return;
+        }
         if (data.mean_drift.empty())
             problems.push_back({Severity::error,
                                 "platform.hydrodynamics.drift",

@@ -196,10 +196,13 @@ const Table& hydrodynamics_keys() {
               "Constant matrices, for a platform with no database");
         k.group("added_mass", added_mass_keys, "Added mass and radiation damping");
         k.choice("drift", &Hydrodynamics::drift,
-                 std::vector<std::pair<std::string, Drift>>{
-                     {"none", Drift::none}, {"mean", Drift::mean}, {"newman", Drift::newman}},
-                 "Wave drift: none, its mean alone, or slow drift by Newman's approximation")
-            .later_words({"full_qtf", "table"})
+                 std::vector<std::pair<std::string, Drift>>{{"none", Drift::none},
+                                                            {"mean", Drift::mean},
+                                                            {"newman", Drift::newman},
+                                                            {"full_qtf", Drift::full_qtf}},
+                 "Second-order wave forces: none, mean drift alone, slow drift by Newman's "
+                 "approximation, or difference and sum frequencies from full QTFs")
+            .later_words({"table"})
             .def("none");
         k.choice("wave_phase", &Hydrodynamics::wave_phase,
                  std::vector<std::pair<std::string, WavePhase>>{

@@ -58,7 +58,7 @@ struct RadiationMemoryKeys {
     bool operator==(const RadiationMemoryKeys&) const = default;
 };
 
-enum class Drift { none, mean, newman };
+enum class Drift { none, mean, newman, full_qtf };
 enum class WavePhase { slow, instantaneous };
 
 struct Hydrodynamics {

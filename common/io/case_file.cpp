@@ -256,9 +256,17 @@ void hydro_files(const Case& value, Problems& problems) {
         if (!fs::is_regular_file(stem + ending))
             missing(".database.path", fmt::format("there is no file {}{}", stem, ending));
     if (hydro.drift == Drift::none || value.environment.waves.empty()) return;
-    for (const char* ending : {".8", ".9", ".7"})
+    const bool full = hydro.drift == Drift::full_qtf;
+    for (const char* ending : {".12d", ".11d", ".10d"})
         if (fs::is_regular_file(stem + ending)) return;
-    missing(".drift", fmt::format("there is no file {}.8 with drift data", stem));
+    if (!full)
+        for (const char* ending : {".8", ".9", ".7"})
+            if (fs::is_regular_file(stem + ending)) return;
+    missing(".drift",
+            full ? fmt::format("there is no file {0}.12d (.11d, .10d) with a difference-frequency "
+                               "QTF; newman does with the mean drift of a .8, .9 or .7",
+                               stem)
+                 : fmt::format("there is no file {}.8 with drift data", stem));
 }
 
 /// What the main file defines and nothing uses. Libraries that it includes may hold more.

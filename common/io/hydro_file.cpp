@@ -9,6 +9,7 @@
 #include "hydro_checks.hpp"
 #include "io/hydro_reading.hpp"
 #include "io/qtf_rows.hpp"
+#include "wave_table.hpp"
 
 namespace hawser::io {
 
@@ -211,6 +212,12 @@ HydroData read_once(const HydroDatabase& database, const Water& water, double de
             r.notes.push_back(fmt::format("{}: {}", file.string(), check.sentence));
     }
     if (!r.problems.empty()) throw HydroFileError(r.problems);
+    if (data.mean_drift.empty() && !data.difference.empty()) {
+        data.mean_drift = real_part(diagonal(data.difference));
+        r.notes.push_back(fmt::format(
+            "{}: no file of mean drift; the diagonal of the difference QTF is taken for it",
+            data.source));
+    }
     data.notes = std::move(r.notes);
     return data;
 }

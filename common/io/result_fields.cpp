@@ -10,6 +10,7 @@ std::string load_description(std::string_view name) {
     static const std::vector<std::pair<std::string_view, const char*>> words{
         {"wave1", "First-order wave excitation"},
         {"drift", "Mean and slow wave drift"},
+        {"wave2", "Second-order wave force at sum frequencies"},
         {"radiation", "Radiation damping and inertia of the added mass"},
         {"hydrostatic", "Buoyancy and waterplane restoring"},
         {"weight", "Weight"},

@@ -295,15 +295,30 @@ std::string performance_text(const RunRecord& record) {
     return out;
 }
 
+/// What is left of second-order wave forces.
+const char* drift_limit(Drift drift) {
+    switch (drift) {
+        case Drift::none:
+            return "no second-order wave forces";
+        case Drift::mean:
+            return "second-order wave forces by their mean alone";
+        case Drift::newman:
+            return "slow drift by Newman's approximation";
+        case Drift::full_qtf:
+            break;
+    }
+    return "second-order wave forces between the frequencies and headings of the QTF files";
+}
+
 std::string limits_text(const Case& input) {
     std::string out = heading("What the physics leaves out");
     if (input.platform) {
         out += "platform: ";
         if (!input.platform->hydrodynamics.memory)
             out += "constant added mass and radiation damping (no memory);\n          ";
-        out +=
-            "no wave drift damping; no effect of current on drift and radiation;\n"
-            "          no Munk moment; slow drift by Newman's approximation; rigid hull\n";
+        out += "no wave drift damping; no effect of current on drift and radiation;\n";
+        out += fmt::format("          no Munk moment; {}; rigid hull\n",
+                           drift_limit(input.platform->hydrodynamics.drift));
     }
     if (!input.lines.empty()) {
         out +=

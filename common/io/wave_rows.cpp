@@ -123,32 +123,7 @@ bool looks_symmetric_about_xz(const WaveTable<CVec6>& table) {
     return has_0 && has_180 && across <= 1e-3 * along && across_moment <= 1e-3 * along_moment;
 }
 
-template <class Value>
-void order_headings(WaveTable<Value>& table) {
-    auto& all = table.headings;
-    if (all.empty()) return;
-    std::sort(all.begin(), all.end(),
-              [](const auto& a, const auto& b) { return a.heading < b.heading; });
-    const std::size_t n = all.size();
-    std::size_t first = 0;  // the heading after the widest gap
-    double widest = all.front().heading + turn - all.back().heading, widest_inside = 0.0;
-    for (std::size_t i = 1; i < n; ++i)
-        if (const double gap = all[i].heading - all[i - 1].heading; gap > widest + same_heading) {
-            widest = gap;
-            first = i;
-        }
-    for (std::size_t i = first; i < n; ++i)
-        if (first > 0) all[i].heading -= turn;
-    std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
-    for (std::size_t i = 1; i < n; ++i)
-        widest_inside = std::max(widest_inside, all[i].heading - all[i - 1].heading);
-    table.full_circle =
-        n > 2 && widest <= widest_inside + same_heading && widest <= M_PI / 2 + same_heading;
-}
-
 template void mirror(WaveTable<Vec6>&, bool);
 template void mirror(WaveTable<CVec6>&, bool);
-template void order_headings(WaveTable<Vec6>&);
-template void order_headings(WaveTable<CVec6>&);
 
 }  // namespace hawser::io

@@ -45,9 +45,4 @@ void mirror(WaveTable<Value>& table, bool about_xz);
 /// vanish beside surge, heave and pitch.
 bool looks_symmetric_about_xz(const WaveTable<CVec6>& table);
 
-/// Sorts the headings so that the widest gap of the circle lies outside the range; says whether the
-/// range closes: no gap wider than 90 deg, none wider outside than inside.
-template <class Value>
-void order_headings(WaveTable<Value>& table);
-
 }  // namespace hawser::io

@@ -312,6 +312,10 @@ TEST(HydroFormats, DifferenceQtfOfOneTriangleIsFilledByItsConjugate) {
     const auto& S = data.sum.pairs[0].values;
     EXPECT_NEAR(std::abs(S[1][4] - rho * g * ulen * ulen * Complex(3, 4)), 0.0, 1e-6);
     EXPECT_EQ(data.sum.pairs[0].given[0], 0);  // none was given
+    // Its diagonal stands in for a file of mean drift.
+    EXPECT_EQ(data.mean_drift.frequencies, data.difference.frequencies);
+    EXPECT_NEAR(data.mean_drift.headings[0].values[1][0], rho * g * ulen * 6.0, 1e-6);
+    EXPECT_THAT(data.notes.back(), HasSubstr("the diagonal of the difference QTF is taken for it"));
     // The drift of a .9 that is 20 % off the diagonal is told.
     std::ofstream nine(d.path + ".9");
     for (const double w : frequencies)

@@ -58,6 +58,14 @@ TEST(Headings, NothingIsExtrapolated) {
     }
 }
 
+TEST(Headings, ATableOfOneServesAHullThatYawsALittle) {
+    const auto value = [](double) { return 7.0; };
+    for (const double b : {-0.08, 0.0, 0.08, 2 * M_PI - 0.05})
+        EXPECT_EQ(interpolated({0.0}, false, b, value), 7.0) << b;
+    for (const double outside : {-0.09, 0.09, M_PI})
+        EXPECT_THROW((void)heading_weights({0.0}, false, outside), RunError) << outside;
+}
+
 TEST(Headings, WaveFromOutsideTheDatabaseIsAnErrorOfTheInput) {
     WaveTable<Vec6> quadrant;
     quadrant.frequencies = {0.5, 1.0};

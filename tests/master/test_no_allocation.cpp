@@ -46,8 +46,30 @@ Case full_case() {
     return c;
 }
 
-TEST(HullLoads, TakeNoMemoryWithinAStep) {
-    const Hull hull(full_case(), &spar_data());
+/// With full QTFs of any values at three headings, all pairs of them.
+HydroData full_data() {
+    HydroData data = spar_data();
+    for (Qtf* qtf : {&data.difference, &data.sum}) {
+        qtf->frequencies = {0.2, 0.9, 2.1};
+        for (const double b1 : {-1.0, 0.0, 1.0})
+            for (const double b2 : {-1.0, 0.0, 1.0})
+                qtf->pairs.push_back(
+                    {b1, b2, std::vector<CVec6>(9, CVec6::Constant(1e4)), std::vector<char>(9, 1)});
+    }
+    return data;
+}
+
+class HullWithDrift : public testing::TestWithParam<Drift> {};
+INSTANTIATE_TEST_SUITE_P(EveryDrift, HullWithDrift,
+                         testing::Values(Drift::newman, Drift::full_qtf));
+
+TEST_P(HullWithDrift, TakesNoMemoryWithinAStep) {
+    Case c = full_case();
+    c.platform->hydrodynamics.drift = GetParam();
+    c.environment.waves.push_back(c.environment.waves[0]);
+    c.environment.waves[1].heading = 0.5;
+    const HydroData data = full_data();
+    const Hull hull(c, &data);
     const State s = hull.start({}, {});
     const long before = taken;
     HullLoads loads = hull.loads(200, s);

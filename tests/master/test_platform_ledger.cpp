@@ -145,7 +145,7 @@ TEST(PlatformLedger, HasHullLoadsAndFamiliesAndBeginsWhenTheStatisticsDo) {
     const LedgerTable table = ledger.table();
     ASSERT_EQ(table.components.size(), 12U);
     EXPECT_EQ(table.components[10], "scr");
-    EXPECT_EQ(table.components[11], "wave1");
+    EXPECT_EQ(table.components[12], "wave1");
     // (6 + 2 x 3 - 2 x 6 + 12) / 6
     EXPECT_LT((table.mean[0] - 2.0 * Vec6::Ones()).norm(), 1e-14);
     EXPECT_LT((table.mean[10] - 11.0 * Vec6::Ones()).norm(), 1e-13);

@@ -1,6 +1,7 @@
 // Time of the hull loads and the equation of motion alone: the paper's truss spar in 100 wave
 // components, current and wind, four evaluations per platform step of 0.5 s, with constant
-// radiation matrices and with memory (fitted and discrete, 60 s). By hand:
+// radiation matrices and with memory (fitted and discrete, 60 s), with Newman's drift and with full
+// QTFs over 46 frequencies. By hand:
 //     build/tests/bench_hull
 #include <algorithm>
 #include <cstdio>
@@ -40,8 +41,22 @@ Case paper_spar() {
     return c;
 }
 
-void measure(const char* what, const Case& c) {
-    Hull hull(c, &spar_data());
+/// Difference and sum QTF of any values.
+HydroData data_with_qtf() {
+    HydroData data = spar_data();
+    for (Qtf* qtf : {&data.difference, &data.sum}) {
+        for (int i = 0; i < 46; ++i) qtf->frequencies.push_back(0.25 + 0.05 * i);
+        QtfPair& pair = qtf->pairs.emplace_back();
+        for (int m = 0; m < 46; ++m)
+            for (int n = 0; n < 46; ++n)
+                pair.values.emplace_back(CVec6::Constant(Complex(m * n, n - m)));
+        pair.given.assign(pair.values.size(), 1);
+    }
+    return data;
+}
+
+void measure(const char* what, const Case& c, const HydroData& data = spar_data()) {
+    Hull hull(c, &data);
     State s = hull.start({.position = {30, 0, 0}}, {.position = {30, 0, 0}});
     const int steps = 4000;
     const double D = c.analysis.dynamics.platform_step;
@@ -84,4 +99,15 @@ int main() {
     }
     c.platform->hydrodynamics.memory = {.form = Form::discrete, .order = {}};
     measure("discrete, 60 s", c);
+
+    c = paper_spar();
+    const HydroData data = data_with_qtf();
+    for (const int components : {100, 400}) {
+        c.environment.waves[0].components = components;
+        c.platform->hydrodynamics.drift = Drift::newman;
+        measure(components == 100 ? "100 components, newman" : "400 components, newman", c, data);
+        c.platform->hydrodynamics.drift = Drift::full_qtf;
+        measure(components == 100 ? "100 components, full_qtf" : "400 components, full_qtf", c,
+                data);
+    }
 }

@@ -41,16 +41,19 @@ Case paper_spar() {
     return c;
 }
 
-/// Difference and sum QTF of any values.
+/// Difference and sum QTF of any values, all round: four of the headings act at a time.
 HydroData data_with_qtf() {
     HydroData data = spar_data();
     for (Qtf* qtf : {&data.difference, &data.sum}) {
         for (int i = 0; i < 46; ++i) qtf->frequencies.push_back(0.25 + 0.05 * i);
-        QtfPair& pair = qtf->pairs.emplace_back();
-        for (int m = 0; m < 46; ++m)
-            for (int n = 0; n < 46; ++n)
-                pair.values.emplace_back(CVec6::Constant(Complex(m * n, n - m)));
-        pair.given.assign(pair.values.size(), 1);
+        for (int b = -180; b < 180; b += 30) {
+            QtfPair& pair = qtf->pairs.emplace_back();
+            pair.heading_1 = pair.heading_2 = b * M_PI / 180;
+            for (int m = 0; m < 46; ++m)
+                for (int n = 0; n < 46; ++n)
+                    pair.values.emplace_back(CVec6::Constant(Complex(m * n, n - m)));
+            pair.given.assign(pair.values.size(), 1);
+        }
     }
     return data;
 }

@@ -307,7 +307,7 @@ const char* drift_limit(Drift drift) {
         case Drift::full_qtf:
             break;
     }
-    return "second-order wave forces between the frequencies and headings of the QTF files";
+    return "second-order wave forces as far as the QTFs go";
 }
 
 std::string limits_text(const Case& input) {

@@ -127,12 +127,15 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
     out.iterations = rest.iterations;
     out.stiffness = body.stiffness(rest.pose);
     for (const LineLoad& line : rest.lines.lines) out.stiffness += line.stiffness;
-    out.stability = stability_of(hull, g, out.stiffness, body.length);
+    // Guides with a gap are open at rest, where nothing tells the gap from its absence: stability
+    // and periods take them as closed (R:49 of worker/README.md).
+    const LineStiffness of_lines = line_stiffness_of(lines, rest.pose);
+    out.stability = stability_of(hull, g, body.stiffness(rest.pose) + of_lines(0.0), body.length);
     for (std::string& warning : stability_warnings(out.stability, platform.name))
         out.notes.push_back(std::move(warning));
     out.modes = coupled_modes(
         body.stiffness(rest.pose), [&](double w) { return hull.static_mass(rest.pose, w); },
-        line_stiffness_of(lines, rest.pose));
+        of_lines);
     for (const CoupledMode& mode : out.modes)
         if (!mode.converged)
             out.notes.push_back(fmt::format(

@@ -64,7 +64,7 @@ std::string coupled_text(const ModesReport& report) {
     return out + table.text() +
            "undamped, about the equilibrium. share: part of the platform's kinetic energy that is "
            "in the motion the mode is\nnamed after; of that motion 1 m or 1 deg. lines: their part "
-           "of the stiffness and of the inertia\n";
+           "of the stiffness and of the inertia;\nguides with a gap count as closed\n";
 }
 
 std::string line_text(const Case& input, const LineModes& line) {
@@ -103,7 +103,9 @@ std::string modes_text(const Case& input, const ModesReport& report) {
     if (!report.lines.empty())
         out +=
             "\nundamped, about the static solution, with the added mass of still water and the "
-            "dynamic stiffness of ropes;\nplane: the vertical one through both ends\n";
+            "dynamic stiffness of ropes,\nguides with a gap closed; plane: the vertical one "
+            "through both "
+            "ends\n";
     return out;
 }
 

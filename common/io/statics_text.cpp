@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <tuple>
@@ -71,6 +72,11 @@ std::string platform_text(const Case& input, const PlatformAtRest& p) {
             periods += fmt::format("{}{} {:.2f}", periods.empty() ? "" : ", ", motion_names[i],
                                    *p.periods[i]);
     if (!periods.empty()) out += fact("natural periods", periods + " s");
+    const bool loose = std::any_of(input.lines.begin(), input.lines.end(), [](const Line& line) {
+        return std::any_of(line.constraints.begin(), line.constraints.end(),
+                           [](const LineConstraint& c) { return c.gap > 0.0; });
+    });
+    if (loose) out += fact("stability and natural periods", "guides with a gap count as closed");
     if (p.added_mass_frequency > 0.0)
         out += fact("added mass taken at", number(p.added_mass_frequency, 4) + " rad/s");
     const Vec3 x = p.position.position, q = degrees * p.position.angles;

@@ -283,6 +283,56 @@ TEST(JointAlongTheRod, WithoutAnArcLengthIsAsStiffAsWithTheOneThatPassesThere) {
                 0.05 * given.constraint_moment(0, 0).norm() + 100.0);
 }
 
+TEST(JointAlongTheRod, GivenByItsHeightSettlesInAnyCurrent) {
+    // 280 m of pipe between two ball joints, held a third of the way down: of the drag the middle
+    // support takes half of what stands on the string, 140 m, and a little more as the pipe bends
+    LineType pipe = plain_type(165.0, 2.78e9, 2.83e7);
+    pipe.displaced_area = M_PI / 4 * 0.3 * 0.3;
+    pipe.outer_diameter = pipe.drag_diameter = 0.3;
+    pipe.drag_normal = 1.2;
+    Case input = one_line(pipe, 279.95, 100, fixed_at({0, 0, -10}), fixed_at({0, 0, -290}), 300);
+    LineConstraint joint{.name = "joint", .on_platform = false};
+    joint.position = {0, 0, -100};
+    joint.rotational_stiffness = 1e6;
+    for (const auto type :
+         {ConstraintType::ball_joint, ConstraintType::flex_joint, ConstraintType::clamp})
+        for (const double speed : {0.1, 0.5, 1.0}) {
+            joint.type = type;
+            input.lines[0].constraints = {joint};
+            input.environment.current.emplace();
+            input.environment.current->profile = {{.depth = 0, .speed = speed},
+                                                  {.depth = 300, .speed = speed}};
+            const Sea sea = still_sea(input);
+            RodPack<Quad> rod(input, sea, {0});
+            ASSERT_TRUE(rod.equilibrium({}, true).ok()) << static_cast<int>(type) << " " << speed;
+            const double share = 0.5 * 1025 * 1.2 * 0.3 * speed * speed * 140;
+            EXPECT_NEAR(-rod.constraint_force(0, 0).x(), 1.07 * share, 0.05 * share);
+            EXPECT_EQ(std::abs(rod.constraint_force(0, 0).z()), 0.0);  // put on where it stands
+            EXPECT_NEAR(rod.constraint_point(0, 0).z(), -100.0, 1e-9);
+        }
+}
+
+TEST(Guide, WithAGapCountsAsClosedForSmallMotion) {  // R:49
+    Case open = riser(1521.1), closed = open;
+    for (LineConstraint& c : closed.lines[0].constraints)
+        if (c.type == ConstraintType::guide) c.type = ConstraintType::slider, c.gap = 0.0;
+    const Sea sea = still_sea(open);
+    RodPack<Quad> rod(open, sea, {0}), slid(closed, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    ASSERT_TRUE(slid.equilibrium({}, false).ok());
+    const Vec3 origin = Vec3::Zero();
+    const Mat6 at_rest = rod.stiffness(0, origin);  // that of Newton's iteration stays the true one
+    for (const double omega : {0.0, 0.3}) {
+        rod.swing(omega), slid.swing(omega);
+        const Mat6 S = rod.stiffness(0, origin), K = slid.stiffness(0, origin);
+        EXPECT_LT((S - K).norm(), 1e-6 * K.norm()) << omega;
+        if (omega == 0.0) {  // without them the riser follows none of the hull's surge
+            EXPECT_LT(std::abs(at_rest(0, 0)), 1.0);
+            EXPECT_GT(S(0, 0), 1e3);
+        }
+    }
+}
+
 TEST(PullTube, TurnsTheTensionWithItsPath) {
     Case input = one_line(plain_type(1, 1e8), 40, 80, fixed_at({0, 0, 0}), fixed_at({40, 0, 0}));
     input.environment.water.density = input.environment.water.gravity = 0.0;

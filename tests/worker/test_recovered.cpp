@@ -177,6 +177,54 @@ TEST(Recovered, CantileverElasticaHasTheMomentAndShearOfItsDeadLoad) {  // valid
     }
 }
 
+TEST(Recovered, HorizontalPipeClampedAtOneEndSagsAndShearsUnderItsWeight) {
+    // w L^4/(8 EI) and w L; the sag of 0.44 m in 20 m is linear to 1e-3
+    const double EI = 2.8288e7, w = 522.0, L = 20.0;
+    LineEnd a = fixed_at({0, 0, 100}, Joint::clamped);
+    a.direction = Vec3(1, 0, 0);
+    for (const int elements : {5, 20}) {
+        const Case input =
+            one_line(plain_type(w / 9.80665, 2.8e9, EI), L, elements, a, LineEnd{}, 300);
+        const Sea sea = still_sea(input);
+        RodPack<Quad> rod(input, sea, {0});
+        ASSERT_TRUE(rod.equilibrium({}, false).ok());
+        EXPECT_NEAR(rod.node_position(0, elements).z() - 100.0, -w * L * L * L * L / (8 * EI),
+                    5e-3 * w * L * L * L * L / (8 * EI));
+        Recovery<Quad> recovery(input, rod);
+        recovery.recover(rod);
+        EXPECT_NEAR(value(recovery.node(0), Q::shear_force), w * L, 2e-3 * w * L);
+        EXPECT_NEAR(value(recovery.node(elements), Q::shear_force), 0.0, 2e-3 * w * L);
+        const Recovered<Single> near = recovery.at(rod, recovery.place(input, rod, 0, 0.1));
+        EXPECT_NEAR(value(near, Q::shear_force), w * (L - 0.1), 2e-3 * w * L);
+    }
+}
+
+TEST(Recovered, ChainAtAPointLoadHasTheForceOfBothLegs) {  // R:50
+    // A chain with a clump that draws it down steeply: legs of one horizontal force
+    LineType chain = plain_type(40.0, 2e8);
+    Case input = one_line(chain, 60, 30, fixed_at({0, 0, 0}), fixed_at({50, 0, 0}));
+    input.lines[0].attachments = {{.arc_length = 30, .mass = 3000}};
+    const Sea sea = still_sea(input);
+    RodPack<Quad> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    Recovery<Quad> recovery(input, rod);
+    recovery.recover(rod);
+    const double H = std::abs(rod.force_on_support_a(0).x()), w = 40 * 9.80665;
+    const double V = 0.5 * (60 * w + 3000 * 9.80665);  // at both ends
+    for (int n = 1; n < 30; ++n) {
+        const double s = 2.0 * n;
+        const double vertical = n < 15 ? V - w * s : V - w * (60 - s);
+        const double T = std::hypot(H, vertical);
+        EXPECT_NEAR(value(recovery.node(n), Q::effective_tension), T, 2e-3 * T) << n;
+        const double angle = 180 / M_PI * std::atan2(H, vertical);
+        EXPECT_NEAR(value(recovery.node(n), Q::declination), n < 15 ? angle : 180 - angle, 1.0)
+            << n;
+        const Recovered<Single> at = recovery.at(rod, recovery.place(input, rod, 0, s));
+        EXPECT_NEAR(value(at, Q::effective_tension), value(recovery.node(n), Q::effective_tension),
+                    1e-9 * T);
+    }
+}
+
 TEST(Recovered, RiserBendsAtTouchdownAsTheBoundaryValueSolution) {  // validation row A22a
     const double w = 1418.83, EI = 4.58729e7, suspended = 1658.198;
     LineType type = pipe(0.324, 0.020, w / 9.80665, EI);

@@ -152,6 +152,70 @@ TEST(TieOff, HoldsALineThatHasLengthToSpareAboveIt) {
         }
 }
 
+/// One leg of elastic catenary by quadrature, from its upper end down: V falls by w per metre, the
+/// bed takes what would hang below it.
+struct Leg {
+    double x = 0.0, z = 0.0, V = 0.0;
+};
+Leg leg(double H, double V, double w, double EA, double length, bool down_to_the_bed) {
+    Leg at{.V = V};
+    const int n = 1000;
+    const double h = length / n;
+    for (int i = 0; i < n; ++i) {
+        const double v = std::max(at.V - 0.5 * w * h, down_to_the_bed ? 0.0 : -1e30);
+        const double T = std::hypot(H, v);
+        at.x += h * (H / T + H / EA), at.z -= h * (v / T + v / EA);
+        at.V = std::max(at.V - w * h, down_to_the_bed ? 0.0 : -1e30);
+    }
+    return at;
+}
+
+TEST(Buoy, OfAnyVolumeLiftsItsChainAsTwoCatenariesThatMeet) {
+    // 60 m and 120 m of chain from 2 m below the surface to an anchor 150 m off in 50 m of water;
+    // the buoy of 1 t at the joint rises with its volume until it floats
+    const double w = 369.7, EA = 2.1e8, depth = 50.0, mass = 1000.0;
+    LineType chain = plain_type(w / 9.80665, EA);
+    chain.outer_diameter = 0.0;
+    Case input =
+        one_line(chain, 180, 60, fixed_at({0, 0, -2}), anchored_at({150, 0, -depth}), depth);
+    input.environment.seabed.normal_stiffness = 1e6;
+    for (double volume = 1.0; volume <= 9.0; volume += 0.5) {
+        input.lines[0].attachments = {{.arc_length = 60, .mass = mass, .volume = volume}};
+        const Sea sea = still_sea(input);
+        RodPack<Quad> rod(input, sea, {0});
+        ASSERT_TRUE(rod.equilibrium({}, false).ok()) << volume;
+        // H and V at the top so that the anchor is met, by Newton's iteration with differences
+        const double height = std::cbrt(6 * volume / M_PI);
+        const auto miss = [&](double H, double V) {
+            const Leg upper = leg(H, V, w, EA, 60, false);
+            const double z = -2 + upper.z;
+            const double wet = std::clamp(0.5 - z / height, 0.0, 1.0);
+            const double after = upper.V - 9.80665 * (mass - wet * 1025 * volume);
+            const Leg lower = leg(H, after, w, EA, 120, true);
+            return Eigen::Vector2d(upper.x + lower.x - 150, z + lower.z + depth);
+        };
+        const Vec3 top = rod.force_on_support_a(0);
+        double H = top.x(), V = -top.z();
+        for (int i = 0; i < 100; ++i) {
+            const Eigen::Vector2d m = miss(H, V);
+            Eigen::Matrix2d J;
+            J << (miss(H + 1, V) - m), (miss(H, V + 1) - m);
+            const Eigen::Vector2d d = J.inverse() * m;
+            double part = std::min(1.0, 0.1 * std::hypot(H, V) / d.norm());
+            while (part > 1e-4 && miss(H - part * d[0], V - part * d[1]).norm() > m.norm())
+                part *= 0.5;
+            H -= part * d[0], V -= part * d[1];
+        }
+        ASSERT_LT(miss(H, V).norm(), 1e-3) << volume;
+        // to the penetration of the bed and the kink smeared over an element of 3 m, a tenth of it
+        // in place
+        EXPECT_NEAR(top.x(), H, 0.015 * std::hypot(H, V)) << volume;
+        EXPECT_NEAR(-top.z(), V, 0.015 * std::hypot(H, V)) << volume;
+        EXPECT_NEAR(rod.node_position(0, 20).z(), -2 + leg(H, V, w, EA, 60, false).z, 0.3)
+            << volume;
+    }
+}
+
 TEST(CatenaryRiser, WithEightHundredMetresOnTheBedFollowsItsPlatform) {
     const Case input = catenary_riser();
     const Sea sea = still_sea(input);

@@ -49,4 +49,13 @@ ConstraintReading<V> load(const Guide<V>& guide, const ConstraintMotion<V>& m, V
     return out;
 }
 
+/// R:49  stiffness for small motion, where a gap counts as closed whatever it is at rest: full
+/// across the axis k, none along it.
+template <class V>
+Symmetric<V> closed_stiffness(const Guide<V>& guide, const Vector<V>& k) {
+    Symmetric<V> out = Symmetric<V>::scaled_identity(guide.stiffness);
+    out.add_outer(V(0.0) - guide.stiffness, k);
+    return out;
+}
+
 }  // namespace hawser::worker

@@ -74,7 +74,7 @@ struct March {
             if (plain(L) > 0.0) advance(e, H, L, p), p.H = H;
             const T carried = carried_by_bed(e, grounded);
             grounded = grounded - carried;
-            p.V += T(e.point_weight) - carried * T(e.weight_wet);
+            p.V += hanging(e, p.z) - carried * T(e.weight_wet);
             visit(p);
         }
         return p;
@@ -93,6 +93,13 @@ struct March {
     }
 
  private:
+    static double hanging(const CatenaryElement& e, double z) { return e.hanging_at(z); }
+    static Dual hanging(const CatenaryElement& e, const Dual& z) {
+        const double dry = e.dry_part(z.v);
+        const bool pierces = dry > 0.0 && dry < 1.0;
+        return Dual::chain(z, e.hanging_at(z.v), pierces ? e.point_buoyancy / e.point_height : 0.0);
+    }
+
     /// What the bed carries of a clump that lies on it, as length of line of the same weight: -u
     /// goes through it while the clump is lifted, so that the end follows u without a jump.
     template <class T>
@@ -179,14 +186,14 @@ void shape_of(const March& march, const Plane& plane, const Vec3& b, double H, d
     std::size_t n = 0;
     const March::End end = march.run(H, u, [&](const March::End& p) {
         // a node's tangent and tension are those just below what hangs on it
-        const double V = n == 0 ? result.vertical_b : p.V - march.elements[n - 1].point_weight;
+        const double V = n == 0 ? result.vertical_b : p.V - march.elements[n - 1].hanging_at(p.z);
         const double T = std::hypot(H, V);  // but for friction
         result.nodes.push_back({.position = b + p.x * plane.towards + Vec3(0, 0, p.z - b.z()),
                                 .tangent = H / T * plane.towards + V / T * Vec3::UnitZ(),
                                 .tension = std::hypot(p.H, V)});
         ++n;
     });
-    result.vertical_a = end.V - march.elements.back().point_weight;
+    result.vertical_a = end.V - march.elements.back().hanging_at(end.z);
 }
 
 /// Stiffness at end A: in the plane d(H, V)/d(x, z), across it H/span.

@@ -16,6 +16,17 @@ struct CatenaryElement {
     double weight_dry = 0.0;  ///< weight above the water line z = 0 [N/m]
     double point_weight =
         0.0;  ///< submerged weight of what hangs on the node at the element's upper end [N]
+    double point_buoyancy = 0.0;  ///< its buoyancy [N], which fades over its height about z = 0,
+    double point_height = 1.0;    ///< as that of a point mass does [m]
+    /// Part of its buoyancy that is lost at a height z, 0 ... 1.
+    [[nodiscard]] double dry_part(double z) const {
+        const double part = 0.5 + z / point_height;
+        return part < 0.0 ? 0.0 : part > 1.0 ? 1.0 : part;
+    }
+    /// Weight less buoyancy of what hangs there at a height z [N].
+    [[nodiscard]] double hanging_at(double z) const {
+        return point_weight + dry_part(z) * point_buoyancy;
+    }
 };
 
 struct CatenaryNode {

@@ -22,9 +22,12 @@ std::vector<CatenaryElement> RodPack<V>::catenary_elements(int lane) const {
                                 .weight_wet = T::get(p.weight, lane) - T::get(p.buoyancy, lane),
                                 .weight_dry = T::get(p.weight, lane)};
         for (; mass != masses_.end() && mass->node <= static_cast<int>(e) + 1; ++mass) {
-            if (mass->node == static_cast<int>(e) + 1)
-                element.point_weight +=
-                    (T::get(mass->mass, lane) - T::get(mass->displaced, lane)) * gravity_;
+            if (mass->node != static_cast<int>(e) + 1) continue;
+            const double buoyancy = T::get(mass->displaced, lane) * gravity_;
+            element.point_weight += T::get(mass->mass, lane) * gravity_ - buoyancy;
+            // of several at one node as if all were as high as the last that floats
+            element.point_buoyancy += buoyancy;
+            if (buoyancy > 0.0) element.point_height = T::get(mass->height, lane);
         }
         elements.push_back(element);
     }
@@ -40,7 +43,7 @@ bool RodPack<V>::hang_lane(int lane, double t, const MotionSpline& platform) {
         lane_vector(end_values(place_b_, kept_.head().axis_b, V(t), platform).position, lane);
     const bool on_bed = place_b_.end[static_cast<std::size_t>(lane)].kind == EndKind::anchor;
     const std::vector<CatenaryElement>& elements = hanging_[static_cast<std::size_t>(lane)];
-    const double at_a = elements.back().point_weight;
+    const double at_a = elements.back().hanging_at(a.z());
     const Vec3 before = lane_vector(kept_.head().force_a, lane);
     Catenary& found = hung_;
     if (started_)

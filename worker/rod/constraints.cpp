@@ -374,11 +374,29 @@ void RodPack<V>::apply_laws(V a1) {
             softer.add(part, c.reading.load.stiffness);
             c.reading.load.stiffness = softer;
         }
+        if (finds_points_) let_slide(c);
+        if (const auto* guide = std::get_if<Guide<V>>(&c.law); guide && guides_closed_)
+            c.reading.load.stiffness = closed_stiffness(*guide, m.k);
         c.joint_load =
             std::visit([&](const auto& law) { return load(law, c.slope, c.joint_axis); }, c.joint);
         c.joint_load = select(law_on_, c.joint_load, ConstraintLoad<V>{});
         let_go(c);
     }
+}
+
+template <class V>
+void RodPack<V>::let_slide(PlacedConstraint<V>& c) const {
+    // The point is looked up anew in every iteration, where g.k = 0: a stiffness along k would be
+    // that of a force which never comes, and the rod would creep through its place.
+    if (c.mirror || !std::holds_alternative<HeldPoint<V>>(c.law)) return;
+    V along{};
+    for (int i = 0; i < lanes; ++i)
+        LaneTraits<V>::set(along, i, c.at[static_cast<std::size_t>(i)].arc_length ? 0.0 : 1.0);
+    if (!any(along > V(0.0))) return;
+    ConstraintLoad<V>& load = c.reading.load;
+    const V Kt = dot(c.axis, load.stiffness * c.axis);
+    load.force -= along * dot(load.force, c.axis) * c.axis;
+    load.stiffness.add_outer(V(0.0) - along * Kt, c.axis);
 }
 
 template <class V>

@@ -10,6 +10,8 @@ namespace {
 
 constexpr double degrees = 180.0 / M_PI;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+/// Elements on either side of a point load over which the slope of a chain is smeared.
+constexpr int kink_elements = 2;
 /// Where the second derivative of a cubic is most exact.
 constexpr double best_low = 0.21132486540518711775, best_high = 1.0 - best_low;
 
@@ -39,6 +41,7 @@ template <class V>
 struct RodPoint {
     Vector<V> r, v, d, bend, moment, moment_rate;
     V tension, p_i, p_o, seabed;
+    Vector<V> towards;  ///< direction of the line, whatever its length; d but beside point loads
 };
 
 /// The quantities that depend on the section.
@@ -75,8 +78,9 @@ template <class V>
     put(Q::x, at.r.x), put(Q::y, at.r.y), put(Q::z, at.r.z);
     put(Q::vx, at.v.x), put(Q::vy, at.v.y), put(Q::vz, at.v.z);
     if (!angles) return;
-    for (int i = 0; i < T::count; ++i) {  // d points towards end A, the angles are those of -d
-        const double x = -T::get(at.d.x, i), y = -T::get(at.d.y, i), z = T::get(at.d.z, i);
+    for (int i = 0; i < T::count; ++i) {  // it points towards end A, the angles are of the opposite
+        const double x = -T::get(at.towards.x, i), y = -T::get(at.towards.y, i),
+                     z = T::get(at.towards.z, i);
         T::set(out[index_of(Q::declination)], i, degrees * std::atan2(std::hypot(x, y), z));
         T::set(out[index_of(Q::azimuth)], i, degrees * std::atan2(y, x));
     }
@@ -114,6 +118,7 @@ Recovery<V>::Recovery(const Case& input, const RodPack<V>& rod)
     below_.resize(N + 1), above_.resize(N + 1);
     joint_.assign(N + 1, 0);
     contents_weight_.resize(N);
+    beside_load_.assign(N, 0);
     bend_.resize(2 * N);
     nodes_.resize(N + 1);
     tensions_.resize(N + 1);
@@ -122,6 +127,12 @@ Recovery<V>::Recovery(const Case& input, const RodPack<V>& rod)
             static_cast<std::size_t>(i) < rod.lines().size() ? static_cast<std::size_t>(i) : 0;
         const Line& line = input.lines[static_cast<std::size_t>(rod.lines()[used])];
         const std::vector<double>& arc = rod.arc_length(i);
+        for (const int from_a : mesh_of(line).attachment_node) {
+            const int node = static_cast<int>(N) - from_a;
+            const auto first = static_cast<std::size_t>(std::max(0, node - kink_elements));
+            for (std::size_t e = first; e < N && static_cast<int>(e) < node + kink_elements; ++e)
+                beside_load_[e] = 1;
+        }
         T::set(internal_pressure_, i, line.internal_pressure);
         for (std::size_t n = 0; n <= N; ++n) {  // towards end B the section that begins there
             const double s = arc.back() - arc[n];
@@ -147,6 +158,18 @@ Vector<V> Recovery<V>::second_derivative(const RodPack<V>& rod, std::size_t e, d
 }
 
 template <class V>
+auto Recovery<V>::pulled(const RodPack<V>& rod, std::size_t element, const Vector<V>& F,
+                         const Vector<V>& d) const -> Pulled {
+    Pulled out{(V(1.0) / sqrt(dot(d, d))) * dot(F, d), d};
+    if (beside_load_[element] == 0) return out;
+    const auto chain = rod.properties()[element].B <= V(0.0);
+    const V sign = select(out.tension < V(0.0), V(-1.0), V(1.0)), size = sqrt(dot(F, F));
+    out.tension = select(chain, sign * size, out.tension);
+    out.towards = select(chain & (size > V(0.0)), sign * F, d);
+    return out;
+}
+
+template <class V>
 void Recovery<V>::recover(const RodPack<V>& rod, bool angles) {
     using T = LaneTraits<V>;
     const auto N = static_cast<std::size_t>(rod.elements());
@@ -161,14 +184,15 @@ void Recovery<V>::recover(const RodPack<V>& rod, bool angles) {
     V p_i = internal_pressure_;
     for (std::size_t n = N + 1; n-- > 0;) {  // from end A, for the head of the contents
         RodPoint<V> at;
-        at.r = node[n].r, at.v = node[n].v, at.d = node[n].d;
+        at.r = node[n].r, at.v = node[n].v, at.d = at.towards = node[n].d;
         V above = lambda[2 * n].now * sqrt(dot(at.d, at.d)), below = above;  // R:2
         if (has_forces_) {                                                   // R:37
-            const V stretch = V(1.0) / sqrt(dot(at.d, at.d));
-            above = stretch * dot(forces_.above[n], at.d);
-            below = stretch * dot(forces_.below[n], at.d);
+            const Pulled up = pulled(rod, n == N ? N - 1 : n, forces_.above[n], at.d);
+            const Pulled down = pulled(rod, n == 0 ? 0 : n - 1, forces_.below[n], at.d);
+            above = up.tension, below = down.tension;
             if (n == 0) below = above;  // what is inside the rod
             if (n == N) above = below;
+            at.towards = n == 0 ? up.towards : down.towards;
         }
         if (n == N ? rod.held_a() : n == 0 && rod.held_b()) {
             for (int i = 0; i < static_cast<int>(rod.lines().size()); ++i)
@@ -199,6 +223,10 @@ void Recovery<V>::recover(const RodPack<V>& rod, bool angles) {
         at.bend = bend_[i] + x * (bend_[i + 1] - bend_[i]);
         at.moment = Ma + x * (Mb - Ma);
         at.moment_rate = V(1.0) / apart * (Mb - Ma);
+        if (!inside && has_forces_)  // that of the middle, less F there to here
+            for (std::size_t g = 0; g < gauss_points; ++g)
+                at.moment_rate -= V(upper_half_[g] - (n == 0 ? 1.0 : 0.0)) *
+                                  forces_.load[near * gauss_points + g];
 
         Recovered<V>& out = nodes_[n];
         put_shape(at, angles, out);
@@ -287,6 +315,15 @@ Recovered<Single> Recovery<V>::at(const RodPack<V>& rod, const RodPlace& place) 
     at.d = Single(1.0 / length(e)) *
            sum(std::array<double, 4>{-g[0], g[1], g[0], g[2]}, &Node::r, &Node::d);
     at.tension = dot(force_at(rod, place), at.d) / sqrt(dot(at.d, at.d));
+    at.towards = at.d;
+    const std::size_t side = place.xi <= 0.0 && e > 0 ? e - 1 : e;  // of a node towards end B
+    if (has_forces_ && beside_load_[side] != 0 && T::get(rod.properties()[side].B, lane) <= 0.0) {
+        const Vector<Single> F = force_at(rod, place);
+        const Single sign = select(at.tension < Single(0.0), Single(-1.0), Single(1.0)),
+                     size = sqrt(dot(F, F));
+        at.tension = sign * size;
+        if (any(size > Single(0.0))) at.towards = sign * F;
+    }
     if (place.end > 0 && rod.held_a()) at.tension = rod.tension_a(lane);
     if (place.end < 0 && rod.held_b()) at.tension = rod.tension_b(lane);
     at.p_i = T::get(internal_pressure_, lane);
@@ -319,6 +356,11 @@ Recovered<Single> Recovery<V>::at(const RodPack<V>& rod, const RodPlace& place) 
     at.bend = ka + x * (kb - ka);
     at.moment = Ma + x * (Mb - Ma);
     at.moment_rate = Single(1.0) / apart * (Mb - Ma);
+    const bool last = ea == eb && (place.xi < best_low || place.xi > best_high);
+    if (last && has_forces_)
+        for (std::size_t k = 0; k < gauss_points; ++k)
+            at.moment_rate -= Single(upper_half_[k] - place.above[k]) *
+                              lane_of(forces_.load[e * gauss_points + k], lane);
 
     Recovered<Single> out;
     put_shape(at, true, out);

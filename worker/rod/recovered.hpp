@@ -47,9 +47,10 @@ class Recovery {
     ///
     /// Catenaries have T_eff = lambda |r'|, exact at their nodes. r'' runs straight between the
     /// points xi = 1/2 -+ 1/(2 sqrt 3) of the elements, where it is most exact; at the ends it is
-    /// continued from the last two. At held ends the tension is that of the reaction. At a point
-    /// mass or a constraint the tension jumps: a node's is that of the side towards end B. Where it
-    /// jumps or two sections meet, the stress is that of the side which has the larger one.
+    /// continued from the last two, and the shear with the loads on the half element there. At held
+    /// ends the tension is that of the reaction. At a point mass or a constraint the tension jumps:
+    /// a node's is that of the side towards end B. Where it jumps or two sections meet, the stress
+    /// is that of the side which has the larger one.
     void recover(const RodPack<V>& rod, bool angles = true);
     /// Of node n from end A, as of the last `recover`.
     [[nodiscard]] const Recovered<V>& node(int n) const {
@@ -75,12 +76,22 @@ class Recovery {
 
  private:
     struct Around;  ///< surroundings of a point, recovered.cpp
+    /// R:37, R:50: effective tension for the force F where the slope is d, and the direction of the
+    /// line there, which beside a point load on an element without bending stiffness is that of F.
+    struct Pulled {
+        V tension;
+        Vector<V> towards;
+    };
+    [[nodiscard]] Pulled pulled(const RodPack<V>& rod, std::size_t element, const Vector<V>& F,
+                                const Vector<V>& d) const;
     [[nodiscard]] Vector<Single> force_at(const RodPack<V>& rod, const RodPlace& place) const;
     [[nodiscard]] Vector<V> second_derivative(const RodPack<V>& rod, std::size_t element,
                                               double xi) const;
 
     double gravity_, water_density_;
     V internal_pressure_{};
+    std::array<double, gauss_points> upper_half_ = shares_above(0.5);
+    std::vector<char> beside_load_;  ///< is the element next to a point mass, or next but one?
     /// Of each node, towards end B and towards end A; equal but at joints of sections.
     std::vector<StressSection<V>> below_, above_;
     std::vector<char> joint_;         ///< does any lane's section change at this node?

@@ -63,7 +63,9 @@ void RodGroup<V>::swing(double omega) {
     for (RodPack<V>& p : packs_) p.prepare_tangent(omega);
     const PlatformMotion pose = packs_.front().last_pose();
     place(&RodPack<V>::kept_, V(0.0), V(0.0), MotionSpline(0.0, pose, 0.0, pose), true);
+    for (RodPack<V>& p : packs_) p.guides_closed_ = true;
     evaluate(V(0.0));
+    for (RodPack<V>& p : packs_) p.guides_closed_ = false;
     const bool moves =  // the others have no inertia in a run either
         packs_.front().model_ == LineModel::dynamic;
     solve(V(moves ? -omega * omega : 0.0), V(0.0));

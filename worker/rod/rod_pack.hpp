@@ -330,6 +330,8 @@ class RodPack {
     void set_laws(PlacedConstraint<V>& to) const;
     /// Springs of a joint's point and of a clamp, after the element that they hold.
     void hold_by_element(PlacedConstraint<V>& to, int lane, int element) const;
+    /// Takes away what a joint that looks for its point would exert along its axis.
+    void let_slide(PlacedConstraint<V>& c) const;
     /// Takes away the loads of what has let go and of guides beyond the rod's ends.
     void let_go(PlacedConstraint<V>& c) const;
     /// Element from end B, and place in it, of an arc length from end A.
@@ -414,6 +416,10 @@ class RodPack {
     /// @param a, b  where the ends are; without b it hangs free
     Mask guess_lane(int lane, const PlatformMotion& pose, const Vec3& a,
                     const std::optional<Vec3>& b);
+    /// Is it a rod with a free end B, so stiff that it keeps the direction of its clamp at end A?
+    [[nodiscard]] bool stands_out(int lane, const std::vector<CatenaryElement>& elements) const;
+    void guess_straight(int lane, const Vec3& a, const Vec3& axis,
+                        const std::vector<CatenaryElement>& elements);
     Mask guess_under_tension(int lane, const LineConstraint& tensioner, const PlatformMotion& pose,
                              const Vec3& foot, const std::vector<CatenaryElement>& elements);
     void begin_statics(const MotionSpline& still, Mask wanted);
@@ -468,7 +474,12 @@ class RodPack {
     bool friction_on_ = true;
     Mask law_on_;             ///< lanes whose laws of slopes act
     double hold_part_ = 1.0;  ///< of the stiffness of held points, on the way to a static solution
-    Mask guessed_;            ///< lanes with a guess of their own
+    /// Of a static solution that is looked for: joints without an arc length take the point of the
+    /// rod that comes to lie in their plane, and exert nothing along their axis.
+    bool finds_points_ = false;
+    /// Of small motion: guides with a gap hold the rod as if it were closed, R:49.
+    bool guides_closed_ = false;
+    Mask guessed_;  ///< lanes with a guess of their own
     bool has_strain_ = false, started_ = false, static_ = false;
     Mask axis_is_static_a_, axis_is_static_b_;
 

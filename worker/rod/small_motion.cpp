@@ -75,7 +75,9 @@ SmallMotion RodPack<V>::small_motion(int lane) {
     const MotionSpline still(0.0, last_pose(), 0.0, last_pose());
     if (!constraints_.empty()) place_constraints(kept_, V(0.0), V(0.0), still, true);
     find_points();
+    guides_closed_ = true;
     apply_laws(V(0.0));
+    guides_closed_ = false;
     const std::size_t N = properties_.size();
     using Triplets = std::vector<Eigen::Triplet<double>>;
     const auto assemble = [&](Triplets& to, V a0, double factor, bool mass) {

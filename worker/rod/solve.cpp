@@ -19,6 +19,10 @@ PointLoad<V> RodPack<V>::point_mass_load(const PointMass<V>& mass, const Vector<
     load.f.z += (mass.mass - W * mass.displaced) * g;
     load.S = Symmetric<V>::scaled_identity(a0 * (mass.mass + added) + a1 * drag);
     load.S.add_outer(a1 * W * mass.drag / speed, vr);
+    // what floats has a waterplane: -dW/dz = 1/height
+    const Mask pierces = (W > V(0.0)) & (W < V(1.0));
+    load.S.add_outer(select(pierces, mass.displaced * g / mass.height, V(0.0)),
+                     {V(0.0), V(0.0), V(1.0)});
     return load;
 }
 

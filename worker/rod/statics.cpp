@@ -28,6 +28,7 @@ constexpr double ease_shrinks = 0.7, ease_grows = 4.0;
 constexpr double eased_step = 2.0;  // longer corrections are held back more [m]
 constexpr int eased_iterations = 600;
 constexpr double static_step_limit = 50.0;  // [m]
+constexpr double most_sag = 6.0;  // w L^3/EI up to which a clamped beam is thought to stand out
 constexpr double move_per_increment = 5.0;  // of the platform between two static solutions [m]
 constexpr double turn_lever = 100.0;        // metres of motion that a radian of rotation counts as
 
@@ -46,13 +47,54 @@ auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose, const Vec3& a,
         }
     }
     const bool on_bed = place_b_.end[static_cast<std::size_t>(lane)].kind == EndKind::anchor;
+    Mask found = LaneTraits<V>::none();
+    if (!b && stands_out(lane, elements)) {
+        const EndValues<V> end =
+            end_values(place_a_, kept_.head().axis_a, V(0.0), MotionSpline(0.0, pose, 0.0, pose));
+        guess_straight(lane, a, lane_vector(end.axis, lane), elements);
+        T::set(found, lane, true);
+        return found;
+    }
     const Catenary shape_found =
         b ? solve_catenary(elements, *b, a, on_bed) : hang_freely(elements, a);
-    Mask found = LaneTraits<V>::none();
     if (!shape_found.found) return found;
     T::set(found, lane, true);
     start_from(lane, shape_found.nodes);
     return found;
+}
+
+template <class V>
+bool RodPack<V>::stands_out(int lane, const std::vector<CatenaryElement>& elements) const {
+    using T = LaneTraits<V>;
+    const LineEnd& end = place_a_.end[static_cast<std::size_t>(lane)];
+    if (end.joint != Joint::clamped || !end.direction) return false;
+    double length = 0.0, weight = 0.0, moment = 0.0, bend = HUGE_VAL;
+    for (std::size_t e = elements.size(); e-- > 0;) {  // from the clamp
+        const CatenaryElement& piece = elements[e];
+        moment += std::abs(piece.point_weight) * (length + piece.length);
+        length += piece.length;
+        weight += std::max(std::abs(piece.weight_wet), std::abs(piece.weight_dry)) * piece.length;
+        bend = std::min(bend, T::get(properties_[e].B, lane));
+    }
+    return length * (weight * length + moment) < most_sag * bend;
+}
+
+template <class V>
+void RodPack<V>::guess_straight(int lane, const Vec3& a, const Vec3& axis,
+                                const std::vector<CatenaryElement>& elements) {
+    std::vector<CatenaryNode> nodes{{.position = a, .tangent = axis}};  // from end A, then turned
+    for (std::size_t e = elements.size(); e-- > 0;)
+        nodes.push_back(
+            {.position = nodes.back().position - elements[e].length * axis, .tangent = axis});
+    std::reverse(nodes.begin(), nodes.end());
+    double T = 0.0;
+    for (std::size_t n = 1; n < nodes.size(); ++n) {
+        const CatenaryElement& piece = elements[n - 1];
+        T += piece.weight_wet * piece.length * axis.z();
+        nodes[n].tension = T;
+        T += piece.point_weight * axis.z();
+    }
+    start_from(lane, nodes);
 }
 
 template <class V>
@@ -180,7 +222,9 @@ auto RodGroup<V>::static_newton(const PlatformMotion& pose, bool current, Mask w
             if (!p.curves_.empty()) (void)p.follow_curves(iterating, nullptr, V(1.0));
         }
         place(&RodPack<V>::kept_, now, now, still, true);
+        for (RodPack<V>& p : packs_) p.finds_points_ = true;
         evaluate(V(0.0));
+        for (RodPack<V>& p : packs_) p.finds_points_ = false;
         solve(ease, V(0.0));
         Mask sound = iterating, close = iterating;
         V longest(0.0);
@@ -228,19 +272,35 @@ auto RodPack<V>::false_equilibria() const -> Mask {
     const std::vector<TrialNode<V>>& node = trial_;
     V strongest(0.0);
     for (std::size_t i = 0; i < lambda_.size(); ++i) strongest = max(strongest, abs(lambda_[i]));
+    // At a point mass a chain has a kink, which its slope there cannot follow.
+    const auto kinked = [&](std::size_t n) {
+        Mask out = LaneTraits<V>::none();
+        if (n == 0 || n >= properties_.size()) return out;
+        for (const PointMass<V>& mass : masses_)
+            if (mass.node == static_cast<int>(n))
+                out = (properties_[n - 1].B <= V(0.0)) & (properties_[n].B <= V(0.0));
+        return out;
+    };
     for (std::size_t n = 0; n < trial_.size(); ++n) {
         const V d2 = dot(node[n].d, node[n].d);
-        bad = bad | (d2 < V(0.9 * 0.9)) | (d2 > V(1.2 * 1.2));
-        crushed = crushed | (d2 < V(0.99 * 0.99));  // no material stands that
-        if (n + 1 < trial_.size()) bad = bad | (dot(node[n].d, node[n + 1].d) <= V(0.0));
+        const Mask off = (d2 < V(0.9 * 0.9)) | (d2 > V(1.2 * 1.2));
+        bad = bad | (off & !kinked(n));
+        crushed = crushed | ((d2 < V(0.99 * 0.99)) & !kinked(n));  // no material stands that
     }
     for (std::size_t e = 0; e < properties_.size(); ++e) {
+        // Beside a kink the chord tells: it is shorter than the element, but no fold.
+        const Mask beside = kinked(e) | kinked(e + 1);
+        const Vector<V> chord = node[e + 1].r - node[e].r;
+        const V L = properties_[e].L, straight = dot(chord, chord) / (L * L);
+        const Mask curled = (straight < V(0.8 * 0.8)) | (straight > V(1.2 * 1.2));
+        const Mask folded = dot(node[e].d, node[e + 1].d) <= V(0.0);
+        bad = bad | (folded & !beside) | (curled & beside);
         // lambda = T - B kappa^2: bending alone makes it negative
         const Vector<V> turn = node[e + 1].d - node[e].d;
-        const V bending =
-            properties_[e].B * dot(turn, turn) / (properties_[e].L * properties_[e].L);
+        const V bending = properties_[e].B * dot(turn, turn) / (L * L);
         for (std::size_t i = 2 * e; i < 2 * e + 3; ++i)
-            squeezed = squeezed | (lambda_[i] < V(-0.01) * strongest - V(3.0) * bending);
+            squeezed =
+                squeezed | ((lambda_[i] < V(-0.01) * strongest - V(3.0) * bending) & !beside);
     }
     const bool tied = std::any_of(constraints_.begin(), constraints_.end(),
                                   [](const PlacedConstraint<V>& c) { return c.tied; });

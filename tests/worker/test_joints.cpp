@@ -177,6 +177,36 @@ TEST(PointMass, HangsAndBobsOnItsLine) {  // period 2 pi sqrt((M + m L/3) L/EA)
     EXPECT_NEAR(bob.largest(), 0.1 * std::sqrt(M * EA / L), 0.02 * bob.largest());
 }
 
+TEST(PointMass,
+     AfloatBobsOnItsWaterplane) {  // a sphere's buoyancy fades over its height d: rho V g/d
+    const double L = 8.9, EA = 5e4, M = 800, V = 1, m = 0.01;
+    const double d = std::cbrt(6 * V / M_PI), lift = 1025 * 9.80665 * V, k = lift / d + EA / L;
+    Case input = one_line(plain_type(m, EA), L, 4, fixed_at({0, 0, 9}), LineEnd{});
+    input.line_types[0].outer_diameter = 0.001;
+    input.lines[0].attachments = {{.arc_length = L, .mass = M, .volume = V}};
+    const double period = 2 * M_PI * std::sqrt(M / k);
+    input.analysis.dynamics.line_step = period / 100;
+    const Sea sea = still_sea(input);
+    RodPack<Single> rod(input, sea, {0});
+    ASSERT_TRUE(rod.equilibrium({}, false).ok());
+    // half of it is under at z = 0: M g - lift (1/2 - z/d) = (EA/L) (9 - L - z)
+    const double z = ((9 - L) * EA / L - M * 9.80665 + 0.5 * lift) / k;
+    EXPECT_NEAR(rod.node_position(0, 4).z(), z, 1e-4);
+    const double T = rod.tension_a(0);
+    for (int n = 0; n <= 4; ++n) {  // set off with 0.1 m/s
+        rod.kept().nodes()[n].v = lanes_of({0, 0, -0.1 * (4 - n) / 4.0});
+        rod.kept().nodes()[n].vd = lanes_of({0, 0, 0.1 / L});
+    }
+    Record bob;
+    ASSERT_TRUE(run(rod, 5.5 * period, period / 100, [&](double t) {
+                    bob.add(t, rod.tension_a(0) - T);
+                }).ok());
+    EXPECT_NEAR(bob.period(), period, 2e-3 * period);
+    // the energy of the start, whole, after five periods
+    const double swing = 0.1 * std::sqrt(M / k) * EA / L;
+    EXPECT_NEAR(*std::max_element(bob.y.end() - 100, bob.y.end()), swing, 0.02 * swing);
+}
+
 TEST(SteelCatenaryRiser, SettlesOnTheCatenary) {  // validation row A22: 0.2 %
     struct Row {
         double H, T, suspended, x;

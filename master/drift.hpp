@@ -21,6 +21,8 @@ struct DriftLoad {
 ///
 /// The mean of the diagonals makes the double sum a product of two single ones, so it is exact and
 /// as cheap as the excitation; sign(D) sqrt(D_i D_j) has no such form where D changes sign.
+/// D_i is that of the component's own heading, so crossing and short-crested seas have their exact
+/// mean; how the true function falls where two headings part is not known to it.
 DriftLoad drift_load(const ComponentTable<Vec6>& table,
                      const std::vector<WaveComponent>& components,
                      const std::vector<Complex>& phases, double yaw);

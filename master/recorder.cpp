@@ -35,6 +35,8 @@ Recorder::Recorder(const Case& input, const Sea& sea, io::SeriesWriter& results)
     for (const std::string_view name : io::load_names)
         loads_.push_back(declare(root + "loads/" + std::string(name), 6));
     elevation_ = declare("/environment/elevation", 1);
+    elevation_of_trains_ = declare("/environment/elevation_of_trains", sea.trains());
+    trains_.resize(static_cast<std::size_t>(sea.trains()));
     wind_speed_ = declare("/environment/wind_speed", 1);
     if (const auto& wind = input.environment.wind) {
         const bool area = input.platform && input.platform->wind;
@@ -61,6 +63,11 @@ void Recorder::sample(double t) {
     if (elevation_ >= 0) {
         const double eta = sea_.elevation(t, 0.0, 0.0);
         results_.put(elevation_, {&eta, 1});
+    }
+    if (elevation_of_trains_ >= 0) {
+        for (int i = 0; i < sea_.trains(); ++i)
+            trains_[static_cast<std::size_t>(i)] = sea_.elevation_of_train(i, t, 0.0, 0.0);
+        results_.put(elevation_of_trains_, trains_);
     }
     if (wind_speed_ >= 0) {
         const double speed = wind_->speed(t);

@@ -39,7 +39,8 @@ class Recorder {
     io::SeriesWriter& results_;
     std::optional<WindField> wind_;
     int sample_every_, snapshot_every_;
-    int position_, velocity_, acceleration_, elevation_, wind_speed_;
+    int position_, velocity_, acceleration_, elevation_, elevation_of_trains_, wind_speed_;
+    std::vector<double> trains_;  ///< elevation of each
     std::vector<int> loads_;
 };
 

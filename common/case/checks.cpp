@@ -9,6 +9,7 @@
 #include "case/declared.hpp"
 #include "case/hydro_of_case.hpp"
 #include "case/line_checks.hpp"
+#include "case/wave_rules.hpp"
 #include "line_quantities.hpp"
 
 namespace hawser {
@@ -22,7 +23,7 @@ class Checks {
         : case_(c), declared_(declared), problems_(problems) {}
 
     void run() {
-        waves();
+        check_waves(case_, problems_);
         if (case_.platform) platform(*case_.platform);
         for (const LineType& type : case_.line_types) line_type(type);
         for (std::size_t i = 0; i < case_.lines.size(); ++i) {
@@ -38,45 +39,6 @@ class Checks {
     }
     void warning(const std::string& path, const std::string& message) {
         problems_.push_back({Severity::warning, path, message, {}});
-    }
-
-    void waves() {
-        const double g = case_.environment.water.gravity, depth = case_.environment.seabed.depth;
-        for (std::size_t i = 0; i < case_.environment.waves.size(); ++i) {
-            const WaveTrain& w = case_.environment.waves[i];
-            const std::string path = fmt::format("environment.waves[{}]", i);
-            const bool airy = w.type == WaveType::airy;
-            const double height = airy ? w.H : w.Hs, period = airy ? w.T : w.Tp;
-            const double steepness = 2.0 * pi * height / (g * period * period);
-            // Regular: breaking limit 0.142. Sea state: DNV-RP-C205 3.5.5.6 for the peak period,
-            // 1/15 below 8 s to 1/25 above 15 s, with 5 % to spare.
-            const double limit = airy
-                                     ? 0.142
-                                     : 1.05 * std::lerp(1.0 / 15.0, 1.0 / 25.0,
-                                                        std::clamp((period - 8.0) / 7.0, 0.0, 1.0));
-            if (steepness > limit) {
-                warning(path, fmt::format("steepness {:.3f} is above {:.3f}: the waves would break",
-                                          steepness, limit));
-            }
-            if (w.type == WaveType::jonswap) {
-                const double q = period / std::sqrt(height);
-                if (q < 3.6 || q > 5.0) {
-                    warning(path, fmt::format("Tp/sqrt(Hs) = {:.2f}: a jonswap spectrum is meant "
-                                              "for 3.6 to 5",
-                                              q));
-                }
-            }
-            if (height > 0.78 * depth) {
-                error(path,
-                      fmt::format("{:.6g} m high waves break in {:.6g} m of water", height, depth));
-            }
-        }
-    }
-
-    double expected_crest() const {
-        if (case_.environment.waves.empty()) return 0.0;
-        const WaveTrain& w = case_.environment.waves.front();
-        return w.type == WaveType::airy ? w.H / 2.0 : 0.93 * w.Hs;  // 1.86 Hs/2 in three hours
     }
 
     void platform(const Platform& p) {
@@ -106,12 +68,12 @@ class Checks {
             }
         }
         const bool surface_piercing = highest > 0.0;
-        if (surface_piercing && highest < expected_crest()) {
+        if (surface_piercing && highest < expected_crest(case_.environment.waves)) {
             warning(
                 "platform.members",
                 fmt::format("the highest end is at {:.6g} m, below the expected crest at {:.1f} "
                             "m: no drag above it",
-                            highest, expected_crest()));
+                            highest, expected_crest(case_.environment.waves)));
         }
         if (p.draft && *p.draft > case_.environment.seabed.depth) {
             error("platform.draft", "deeper than the water");

@@ -8,6 +8,8 @@
 
 #include "case/declared.hpp"
 #include "case/line_type_rules.hpp"
+#include "case/wave_rules.hpp"
+#include "environment/wave_trains.hpp"
 
 namespace hawser {
 namespace {
@@ -22,6 +24,7 @@ class Completion {
     void run() {
         waves();
         current();
+        wind();
         if (case_.platform) platform(*case_.platform);
         for (LineTypeKeys& type : case_.line_types) line_type(type);
         for (LineKeys& line : case_.lines) this->line(line);
@@ -37,26 +40,7 @@ class Completion {
         problems_.push_back({Severity::note, path, message, {}});
     }
 
-    void waves() {
-        for (std::size_t i = 0; i < case_.environment.waves.size(); ++i) {
-            WaveTrain& wave = case_.environment.waves[i];
-            const std::string path = fmt::format("environment.waves[{}]", i);
-            if (wave.range_min >= wave.range_max) {
-                error(path + ".range", "the lowest frequency must be below the highest");
-            }
-            if (wave.type == WaveType::jonswap && !wave.gamma) {
-                // DNV-RP-C205, 3.5.5.5
-                const double q = wave.Tp / std::sqrt(wave.Hs);
-                wave.gamma = q <= 3.6 ? 5.0 : q >= 5.0 ? 1.0 : std::exp(5.75 - 1.15 * q);
-                if (!std::isnan(q)) {
-                    note(path + ".gamma", fmt::format("auto: {:.4g} (DNV-RP-C205)", *wave.gamma));
-                }
-            }
-        }
-        if (case_.environment.waves.size() > 1) {
-            error("environment.waves[1]", "several wave trains: not available in this version");
-        }
-    }
+    void waves() { complete_waves(case_.environment.waves, given_, problems_); }
 
     void current() {
         if (case_.environment.current) {
@@ -75,17 +59,23 @@ class Completion {
         }
     }
 
-    /// Frequency of the highest wave energy [rad/s], nothing in still water.
-    std::optional<double> peak_frequency() const {
-        if (case_.environment.waves.empty()) return {};
-        const WaveTrain& wave = case_.environment.waves.front();
-        return 2.0 * pi / (wave.type == WaveType::airy ? wave.T : wave.Tp);
+    void wind() {
+        if (!case_.environment.wind) return;
+        const auto& history = case_.environment.wind->history;
+        for (std::size_t i = 1; i < history.size(); ++i)
+            if (!(history[i][0] > history[i - 1][0])) {
+                error(
+                    "environment.wind.history",
+                    fmt::format("times must ascend; row {} is at {:.6g} s", i + 1, history[i][0]));
+                return;
+            }
     }
 
     void platform(PlatformKeys& p) {
         Hydrodynamics& hydro = p.hydrodynamics;
         const std::string path = "platform.hydrodynamics";
-        const std::optional<double> peak = peak_frequency();
+        const std::vector<WaveTrain>& trains = case_.environment.waves;
+        const std::optional<double> peak = main_peak(trains), longest = lowest_peak(trains);
         if (hydro.memory && !hydro.database)
             error(path + ".added_mass.convolution",
                   "memory of radiation needs a hydrodynamics.database");
@@ -94,22 +84,23 @@ class Completion {
                 error(path,
                       "in still water the frequency of the added mass must be given: "
                       "added_mass: {constant: 0.3 rad/s}");
-            } else if (std::isfinite(*peak)) {
+            } else if (std::isfinite(*peak) && *peak > 0.0) {
                 hydro.added_mass_frequency = peak;
                 note(path + ".added_mass.constant",
-                     fmt::format("auto: {:.5g} rad/s (spectral peak)", *peak));
+                     fmt::format("auto: {:.5g} rad/s (spectral peak{})", *peak,
+                                 trains.size() > 1 ? " of the largest train" : ""));
             }
         }
         if (!hydro.wave_phase) {
             hydro.wave_phase =
                 hydro.drift == Drift::none ? WavePhase::instantaneous : WavePhase::slow;
         }
-        if (*hydro.wave_phase == WavePhase::slow && !hydro.slow_cutoff && peak &&
-            std::isfinite(*peak)) {
-            hydro.slow_cutoff = *peak / 4.0;
+        if (*hydro.wave_phase == WavePhase::slow && !hydro.slow_cutoff && longest &&
+            std::isfinite(*longest) && *longest > 0.0) {
+            hydro.slow_cutoff = *longest / 4.0;
             note(path + ".slow_cutoff",
-                 fmt::format("auto: {:.5g} rad/s (a quarter of the spectral peak)",
-                             *hydro.slow_cutoff));
+                 fmt::format("auto: {:.5g} rad/s (a quarter of the {}spectral peak)",
+                             *hydro.slow_cutoff, trains.size() > 1 ? "lowest " : ""));
         }
         if (hydro.database) database(*hydro.database, path + ".database");
         if (hydro.drift != Drift::none && !hydro.database) {

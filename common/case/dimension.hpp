@@ -33,6 +33,8 @@ inline constexpr Dimension angle{"angle", {0, 0, 0, 1}, "deg", "10 deg"};
 inline constexpr Dimension speed{"speed", {0, 1, -1, 0}, "m/s", "1.9 m/s"};
 inline constexpr Dimension acceleration{"acceleration", {0, 1, -2, 0}, "m/s2", "9.80665 m/s2"};
 inline constexpr Dimension frequency{"frequency", {0, 0, -1, 1}, "rad/s", "0.4 rad/s"};
+inline constexpr Dimension wave_density{
+    "spectral density of waves", {0, 2, 1, -1}, "m2.s/rad", "12 m2.s/rad"};
 inline constexpr Dimension angular_speed{
     "angular speed", {0, 0, -1, 1}, "rad/s", "0.5 deg/s", true};
 inline constexpr Dimension stiffness{"stiffness", {1, 0, -2, 0}, "N/m", "147 kN/m"};

@@ -137,7 +137,10 @@ void check_qtf(const Case& input, const Platform& p, const HydroData& data, Prob
     if (data.sum.empty())
         add(Severity::note, "no sum-frequency QTF in the database: difference frequencies alone");
     std::vector<double> headings;  // that the waves have
-    for (const WaveTrain& train : input.environment.waves) headings.push_back(train.heading);
+    for (const WaveTrain& train : input.environment.waves) {
+        headings.push_back(train.heading);
+        if (train.spreading) headings.push_back(train.heading + turn / 2);
+    }
     const bool several = std::adjacent_find(headings.begin(), headings.end(),
                                             std::not_equal_to<>()) != headings.end();
     for (const auto& [qtf, what] :

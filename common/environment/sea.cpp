@@ -1,8 +1,7 @@
 // Waves and current at blocks of points.
 #include "environment/sea.hpp"
 
-#include <algorithm>
-#include <numbers>
+#include "environment/wave_trains.hpp"
 
 namespace hawser {
 
@@ -13,10 +12,9 @@ Sea::Sea(const Environment& environment, double ramp, double depth_filter, bool 
         const std::vector<WaveComponent> more =
             wave_components(train, environment.seabed.depth, environment.water.gravity);
         components.insert(components.end(), more.begin(), more.end());
-        const double peak =
-            2.0 * std::numbers::pi / (train.type == WaveType::airy ? train.T : train.Tp);
-        peak_frequency_ = peak_frequency_ > 0.0 ? std::min(peak_frequency_, peak) : peak;
+        trains_.emplace_back(more, WaveField::Settings{.depth = environment.seabed.depth});
     }
+    peak_frequency_ = lowest_peak(environment.waves).value_or(0.0);
     if (!components.empty()) {
         waves_ =
             WaveField(std::move(components), {.depth = environment.seabed.depth,
@@ -61,6 +59,10 @@ void Sea::sample_current(int n, const double* /*x*/, const double* /*y*/, const 
 
 double Sea::elevation(double t, double x, double y) const {
     return has_waves() ? waves_.elevation(t, ramp_factor(t, ramp_), x, y) : 0.0;
+}
+
+double Sea::elevation_of_train(int train, double t, double x, double y) const {
+    return trains_[static_cast<std::size_t>(train)].elevation(t, ramp_factor(t, ramp_), x, y);
 }
 
 }  // namespace hawser

@@ -15,7 +15,7 @@ namespace hawser {
 
 /// Where Sea::sample puts its results, n numbers each. Velocity of waves and current together
 /// [m/s], local acceleration of the waves [m/s2], height at which the water ends above the point
-/// [m]: the elevation of the instant with Wheeler stretching, 0 without stretching (R:18).
+/// [m]: the elevation of the instant, 0 without stretching (R:18).
 struct WaterKinematics {
     double *ux, *uy, *uz;
     double *ax, *ay, *az;
@@ -54,6 +54,9 @@ class Sea {
     }
     /// Surface elevation [m], ramped.
     [[nodiscard]] double elevation(double t, double x, double y) const;
+    /// Surface elevation of one wave train alone [m], ramped.
+    [[nodiscard]] double elevation_of_train(int train, double t, double x, double y) const;
+    [[nodiscard]] int trains() const { return static_cast<int>(trains_.size()); }
     /// Current at height z above mean sea level [m/s].
     [[nodiscard]] Vec3 current(double z) const { return current_.velocity(z); }
 
@@ -63,8 +66,7 @@ class Sea {
     [[nodiscard]] const std::vector<WaveComponent>& components() const {
         return waves_.components();
     }
-    /// Lowest spectral peak of the wave trains (of a regular wave: its frequency) [rad/s]; 0 in
-    /// still water.
+    /// Lowest spectral peak of the wave trains, lowest_peak() [rad/s]; 0 in still water.
     [[nodiscard]] double peak_frequency() const { return peak_frequency_; }
 
  private:
@@ -72,6 +74,7 @@ class Sea {
     bool ramp_current_;
     double peak_frequency_ = 0.0;
     WaveField waves_;
+    std::vector<WaveField> trains_;  ///< each alone
     CurrentProfile current_;
 };
 

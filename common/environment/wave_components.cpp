@@ -7,8 +7,11 @@
 #include <numbers>
 
 #include "environment/dispersion.hpp"
+#include "environment/elevation_record.hpp"
 #include "environment/random.hpp"
 #include "environment/spectra.hpp"
+#include "environment/spreading.hpp"
+#include "environment/wave_trains.hpp"
 
 namespace hawser {
 
@@ -20,12 +23,12 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 /// peak is some 1000 cells wide).
 class CumulativeSpectrum {
  public:
-    CumulativeSpectrum(const Jonswap& spectrum, double from, double to)
-        : from_(from), width_((to - from) / cells), m0_(cells + 1, 0.0), m1_(cells + 1, 0.0) {
+    CumulativeSpectrum(const Spectrum& spectrum, const FrequencyRange& range)
+        : from_(range.from), width_(range.width / cells), m0_(cells + 1, 0.0), m1_(cells + 1, 0.0) {
         for (int i = 0; i < cells; ++i) {
             const double a = from_ + i * width_;
-            const double Sa = spectrum.density(a), Sm = spectrum.density(a + 0.5 * width_),
-                         Sb = spectrum.density(a + width_);
+            const double Sa = density(spectrum, a), Sm = density(spectrum, a + 0.5 * width_),
+                         Sb = density(spectrum, a + width_);
             const double energy = width_ / 6.0 * (Sa + 4.0 * Sm + Sb);
             const double first = width_ * width_ / 6.0 * (2.0 * Sm + Sb);  // about a
             const auto j = static_cast<std::size_t>(i);
@@ -59,28 +62,18 @@ class CumulativeSpectrum {
     std::vector<double> m0_, m1_;
 };
 
-}  // namespace
-
-std::vector<WaveComponent> wave_components(const WaveTrain& train, double depth, double gravity) {
-    std::vector<WaveComponent> components;
-    if (train.type == WaveType::airy) {
-        const double omega = two_pi / train.T;
-        components.push_back({.amplitude = 0.5 * train.H,
-                              .omega = omega,
-                              .k = wave_number(omega, depth, gravity),
-                              .phase = train.phase,
-                              .heading = train.heading});
-        return components;
-    }
-
-    assert(train.components > 0 && train.range_max > train.range_min);
-    const Jonswap spectrum = spectrum_of(train);
-    const double from = train.range_min * spectrum.wp, to = train.range_max * spectrum.wp;
-    const CumulativeSpectrum cumulative(spectrum, from, to);
+/// Band of equal energy, or one random frequency in each of equal bands.
+std::vector<WaveComponent> drawn_from_spectrum(const WaveTrain& train, double depth,
+                                               double gravity) {
+    const FrequencyRange range = frequency_range(train);
+    assert(train.components > 0 && range.width > 0.0);
+    const CumulativeSpectrum cumulative(spectrum_of(train, gravity), range);
     const double m0 = cumulative.energy();
-    const double scale = train.Hs * train.Hs / 16.0 / m0;
+    const double height = significant_height(train);
+    const double scale = height * height / 16.0 / m0;
     Random random(train.seed);
 
+    std::vector<WaveComponent> components;
     const int n = train.components;
     for (int i = 0; i < n; ++i) {
         double energy = m0 / n, omega = 0.0;
@@ -88,7 +81,7 @@ std::vector<WaveComponent> wave_components(const WaveTrain& train, double depth,
             omega = cumulative.centroid(cumulative.place_of(i * energy),
                                         cumulative.place_of((i + 1) * energy));
         } else {
-            const double width = (to - from) / n, low = from + i * width;
+            const double width = range.width / n, low = range.from + i * width;
             energy = cumulative.energy_below(low + width) - cumulative.energy_below(low);
             omega = low + width * random.uniform();
         }
@@ -97,6 +90,32 @@ std::vector<WaveComponent> wave_components(const WaveTrain& train, double depth,
                               .k = wave_number(omega, depth, gravity),
                               .phase = two_pi * random.uniform(),
                               .heading = train.heading});
+    }
+    if (train.spreading) spread_components(*train.spreading, train.seed, components);
+    return components;
+}
+
+}  // namespace
+
+std::vector<WaveComponent> wave_components(const WaveTrain& train, double depth, double gravity) {
+    if (is_random(train)) return drawn_from_spectrum(train, depth, gravity);
+    std::vector<WaveComponent> components;
+    const auto add = [&](double amplitude, double omega, double phase, double heading) {
+        const double k = wave_number(omega, depth, gravity);
+        components.push_back({amplitude, omega, k, phase, heading});
+    };
+    if (train.type == WaveType::elevation_file) {
+        const double along =
+            train.record_x * std::cos(train.heading) + train.record_y * std::sin(train.heading);
+        for (const Harmonic& h : record_harmonics(train)) {
+            add(h.amplitude, h.omega, h.phase, train.heading);
+            components.back().phase += components.back().k * along;
+        }
+    } else if (train.type == WaveType::components) {
+        for (const ListedWave& w : train.list)
+            add(w.amplitude, w.frequency, w.phase, w.heading.value_or(train.heading));
+    } else {
+        add(0.5 * train.H, two_pi / train.T, train.phase, train.heading);
     }
     return components;
 }

@@ -1,5 +1,5 @@
 // A wave train as a sum of Airy components: discretisation of its spectrum.
-// Source: linear random waves (DNV-RP-C205 3.3). One heading per train.
+// Source: linear random waves (DNV-RP-C205 3.3).
 #pragma once
 
 #include <vector>
@@ -17,9 +17,11 @@ struct WaveComponent {
     double heading = 0.0;    ///< b, direction of travel from +x [rad]
 };
 
-/// Components of a train, by rising frequency. A regular wave is one component of amplitude H/2.
-/// A spectrum is cut to [range_min, range_max] times the peak and scaled so that the components
-/// carry exactly sum(A^2/2) = Hs^2/16; phases are uniform in [0, 2 pi) from the seed.
+/// Components of a train, of a spectrum by rising frequency. A regular wave is one component of
+/// amplitude H/2; a record has its harmonics (elevation_record.hpp), with the phase that brings
+/// them to the place of measurement; a list is what it says.
+/// A spectrum is cut to frequency_range() and scaled so that the components carry exactly
+/// sum(A^2/2) = Hs^2/16; phases are uniform in [0, 2 pi) from the seed; spread by spreading.hpp.
 ///
 /// * equal_energy: bands of equal energy, A = Hs/sqrt(8 N) each; the frequency is the centroid of
 ///   the energy in its band, so the mean frequency m1/m0 of the spectrum is kept exactly.

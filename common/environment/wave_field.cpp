@@ -70,8 +70,13 @@ WaveSample WaveField::sample(double t, double ramp, double x, double y, double z
 
     const double h = settings_.depth;
     const bool wheeler = settings_.stretching == Stretching::wheeler;
-    const double eta = wheeler ? ramp * sum(elevation) : 0.0;
-    const double height = std::clamp((z - eta) * h / (h + eta), -h, 0.0);  // z'
+    const bool follows = settings_.stretching != Stretching::none;
+    const double eta = follows ? ramp * sum(elevation) : 0.0;
+    const double shift = wheeler ? eta : 0.0;
+    const double height = std::clamp((z - shift) * h / (h + shift), -h, 0.0);  // z'
+    const double above = settings_.stretching == Stretching::extrapolation
+                             ? std::clamp(z, 0.0, std::max(eta, 0.0))
+                             : 0.0;
 
     // Second pass: the components that reach this deep. They are sorted by k, so they come first.
     const double k_max = settings_.depth_filter > 0.0 && height < 0.0
@@ -86,7 +91,12 @@ WaveSample WaveField::sample(double t, double ramp, double x, double y, double z
         const Batch down = exp(b.k * Batch(height));
         const Batch up = b.bottom / down;
         const Batch seen = select(b.k <= Batch(k_max), b.omega * b.inverse, Batch(0.0));
-        const Batch horizontal = seen * (down + up), vertical = seen * (down - up);
+        Batch horizontal = seen * (down + up), vertical = seen * (down - up);
+        if (above > 0.0) {  // at z' = 0: d/dz exchanges cosh and sinh and brings k
+            const Batch rise = b.k * Batch(above), flat = horizontal;
+            horizontal += rise * vertical;
+            vertical += rise * flat;
+        }
         const Batch u = horizontal * wave.cos, w = vertical * wave.sin;
         const Batch u_dot = b.omega * horizontal * wave.sin, w_dot = b.omega * vertical * wave.cos;
         ux += u * b.cos_heading;

@@ -1,6 +1,7 @@
 // The sum over Airy components: elevation and particle kinematics at one point. The hottest code of
 // the environment: components side by side in lanes, sine and cosine shared by both passes.
-// Source: Airy theory (DNV-RP-C205 3.2), Wheeler 1970 stretching, depth filter P:6. Flat bottom.
+// Source: Airy theory (DNV-RP-C205 3.2), stretching (the same,
+// 3.3.3; Wheeler 1970), depth filter P:6. Flat bottom.
 #pragma once
 
 #include <vector>
@@ -23,9 +24,16 @@ struct WaveSample {
 ///     u_h = sum A w cosh k(z'+h)/sinh kh cos theta (cos b, sin b)      a_h = du_h/dt, z' fixed
 ///     u_z = -sum A w sinh k(z'+h)/sinh kh sin theta                    a_z = du_z/dt, z' fixed
 ///
-/// Wheeler: z' = (z - eta) h/(h + eta); none: z' = z. z' is kept within [-h, 0]: above the surface
-/// (of the instant, or of mean level without stretching) the values of the surface hold. With a
-/// depth filter f > 0 a component is left out where -z' > f wavelengths.
+/// Stretching:
+/// * none: z' = z; the water ends at mean sea level, above it the values there hold.
+/// * vertical: z' = z; above mean sea level the values there hold, up to the surface.
+/// * wheeler: z' = (z - eta) h/(h + eta), the same for every component.
+/// * extrapolation: z' = z; above mean sea level the profile goes on along its tangent,
+///   u(z) = u(0) + z du/dz(0), up to the surface, above which the surface's value holds. The
+///   tangent grows with k: high frequencies under a high crest are overdone.
+///
+/// z' is kept within [-h, 0]. With a depth filter f > 0 a component is left out where -z' > f
+/// wavelengths.
 class WaveField {
  public:
     struct Settings {

@@ -11,6 +11,7 @@
 #include "io/case_echo.hpp"
 #include "io/case_tree.hpp"
 #include "io/key_reader.hpp"
+#include "io/weather_tables.hpp"
 
 namespace hawser::io {
 namespace {
@@ -309,6 +310,7 @@ CaseFile finish(Node root, const std::string& name, const std::string& file, con
     KeyReader reader(problems);
     reader.set_folder(folder);
     reader.read(case_keys(), root, &declared, "");
+    read_weather_tables(declared.environment, folder, file.empty(), problems);
     complete(declared, reader.given(), problems);
     CaseFile result;
     result.value = build(declared, name, folder, problems);

@@ -63,6 +63,11 @@ std::vector<SeriesField> result_fields(const Case& input, const std::vector<int>
     if (output.environment && !input.environment.waves.empty()) {
         fields.push_back(
             {"/environment/elevation", "m", "Undisturbed elevation of the sea at the origin", {}});
+        if (const auto n = static_cast<int>(input.environment.waves.size()); n > 1)
+            fields.push_back({"/environment/elevation_of_trains",
+                              "m",
+                              "Elevation of each wave train alone at the origin",
+                              {n}});
     }
     if (output.environment && input.environment.wind) {
         fields.push_back({"/environment/wind_speed",

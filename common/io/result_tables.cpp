@@ -35,6 +35,9 @@ std::vector<ChannelStatistics> result_statistics(const Hdf5File& result, const C
         const std::string path = std::string("environment/") + name;
         if (result.exists("/" + path)) add(path, units, "/" + path, 0);
     }
+    if (const std::string path = "/environment/elevation_of_trains"; result.exists(path))
+        for (std::size_t i = 0; i < input.environment.waves.size(); ++i)
+            add("environment/elevation_of_train_" + std::to_string(i + 1), "m", path, i);
     for (const LineChannel& channel : line_channels(input, fields))
         if (channel.in_statistics)
             add(channel.path.substr(1), channel.field->units, channel.field->path,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "environment/weather_words.hpp"
 #include "io/text_table.hpp"
 #include "line_weight.hpp"
 #include "motion_names.hpp"
@@ -28,8 +29,8 @@ std::string environment_text(const Environment& e) {
             out += fact("regular wave", fmt::format("H {:g} m, T {:g} s", w.H, w.T));
             continue;
         }
-        out += fact("waves", fmt::format("Hs {:g} m, Tp {:g} s, towards {:g} deg", w.Hs, w.Tp,
-                                         degrees * w.heading));
+        out += fact("waves", words_of(w));
+        if (w.Tp == 0.0) continue;
         // Rayleigh crests: most probable greatest of N = duration/Tz, Tz = 0.75 Tp, in 3 h
         const double crest = 0.5 * w.Hs * std::sqrt(0.5 * std::log(3.0 * 3600.0 / (0.75 * w.Tp)));
         out += fact("greatest crest to be expected in 3 h (linear)", number(crest, 1) + " m");
@@ -38,9 +39,7 @@ std::string environment_text(const Environment& e) {
         out += fact("current at the surface",
                     fmt::format("{:g} m/s, towards {:g} deg", e.current->profile.front().speed,
                                 degrees * e.current->heading));
-    if (e.wind)
-        out += fact("wind", fmt::format("{:g} m/s at {:g} m, towards {:g} deg", e.wind->speed,
-                                        e.wind->reference_height, degrees * e.wind->heading));
+    if (e.wind) out += fact("wind", words_of(*e.wind));
     return out;
 }
 

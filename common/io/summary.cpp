@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "environment/wave_trains.hpp"
+#include "environment/weather_words.hpp"
 #include "io/files.hpp"
 #include "io/result_fields.hpp"
 #include "line_weight.hpp"
@@ -40,35 +42,43 @@ std::size_t widest(std::size_t least, const std::vector<std::string>& names) {
     return least;
 }
 
-std::string environment_text(const Case& input) {
+std::string environment_text(const Case& input, const ResultDigest& digest) {
     const Environment& e = input.environment;
     std::string out = heading("Environment");
     out += fmt::format("water depth {:g} m, density {:g} kg/m3, gravity {:g} m/s2\n",
                        e.seabed.depth, e.water.density, e.water.gravity);
-    for (const WaveTrain& w : e.waves) {
-        if (w.type == WaveType::airy) {
-            out += fmt::format("regular wave: H {:g} m, T {:g} s, towards {:g} deg\n", w.H, w.T,
-                               degrees * w.heading);
-        } else {
-            std::string type = w.type == WaveType::jonswap ? "JONSWAP" : "Pierson-Moskowitz";
-            if (w.type == WaveType::jonswap && w.gamma)
-                type += fmt::format(" (gamma {:.3g})", *w.gamma);
-            out +=
-                fmt::format("{}: Hs {:g} m, Tp {:g} s, towards {:g} deg, {} components, seed {}\n",
-                            type, w.Hs, w.Tp, degrees * w.heading, w.components, w.seed);
+    const auto measured = [&](const std::string& channel, double asked) {
+        for (const ChannelStatistics& row : digest.statistics)
+            if (row.channel == channel && row.values.n > 1)
+                return fmt::format("; measured at the origin {:.4g} m ({:+.1f} %)",
+                                   4.0 * row.values.std,
+                                   100.0 * (4.0 * row.values.std / asked - 1.0));
+        return std::string();
+    };
+    double square = 0.0;  // of the significant height of all
+    for (std::size_t i = 0; i < e.waves.size(); ++i) {
+        const double asked = significant_height(e.waves[i]);
+        square += asked * asked;
+        out += words_of(e.waves[i]);
+        if (e.waves.size() == 1 && e.waves[i].type == WaveType::airy) {
+            out += "\n";
+            continue;
         }
+        out +=
+            measured(e.waves.size() == 1 ? "environment/elevation"
+                                         : fmt::format("environment/elevation_of_train_{}", i + 1),
+                     asked) +
+            "\n";
     }
+    if (e.waves.size() > 1)
+        out += fmt::format("all trains together: Hs {:.4g} m", std::sqrt(square)) +
+               measured("environment/elevation", std::sqrt(square)) + "\n";
     if (e.waves.empty()) out += "still water\n";
     if (e.current && !e.current->profile.empty()) {
         out += fmt::format("current: {:g} m/s at the surface, towards {:g} deg\n",
                            e.current->profile.front().speed, degrees * e.current->heading);
     }
-    if (e.wind) {
-        out += fmt::format("wind: {:.4g} m/s at {:g} m ({:g} s mean), towards {:g} deg, {}\n",
-                           e.wind->speed, e.wind->reference_height, e.wind->averaging,
-                           degrees * e.wind->heading,
-                           e.wind->spectrum == WindSpectrum::npd ? "NPD gusts" : "constant");
-    }
+    if (e.wind) out += "wind: " + words_of(*e.wind) + "\n";
     return out;
 }
 
@@ -345,7 +355,7 @@ std::string summary_text(const RunRecord& record, const ResultDigest& digest) {
         "{:g} s, rod step {:g} s\n",
         digest.last_time, d.duration, digest.samples, digest.snapshots, d.platform_step,
         d.line_step);
-    out += environment_text(input);
+    out += environment_text(input, digest);
     out += platform_text(record);
     out += lines_text(record, digest);
     out += courses_text(record, digest);

@@ -207,5 +207,33 @@ TEST(Sea, RampsTheCurrentThatTheStaticStartLeavesOut) {
     EXPECT_DOUBLE_EQ(u[0], 1.5);
 }
 
+// Linear waves: elevations and, without stretching, kinematics of the trains add up.
+TEST(Sea, TrainsAddUp) {
+    Environment both = storm();
+    WaveTrain swell = both.waves[0];
+    swell.Hs = 3.0, swell.Tp = 19.0, swell.seed = 8, swell.heading = 1.1;
+    both.waves.push_back(swell);
+    for (WaveTrain& train : both.waves) train.stretching = Stretching::none;
+    both.current.reset();
+    Environment one = both, other = both;
+    one.waves = {both.waves[0]};
+    other.waves = {both.waves[1]};
+    const Sea sea(both, 10.0, 0.0), first(one, 10.0, 0.0), second(other, 10.0, 0.0);
+    ASSERT_EQ(sea.trains(), 2);
+    for (const double t : {5.0, 50.0}) {
+        EXPECT_EQ(sea.elevation_of_train(0, t, 3.0, 4.0), first.elevation(t, 3.0, 4.0));
+        EXPECT_EQ(sea.elevation_of_train(1, t, 3.0, 4.0), second.elevation(t, 3.0, 4.0));
+        EXPECT_NEAR(sea.elevation(t, 3.0, 4.0),
+                    first.elevation(t, 3.0, 4.0) + second.elevation(t, 3.0, 4.0), 1e-12);
+        const double x = 3.0, y = 4.0, z = -7.0;
+        Water sum(1), a(1), b(1);
+        sea.sample(t, 1, &x, &y, &z, sum.out());
+        first.sample(t, 1, &x, &y, &z, a.out());
+        second.sample(t, 1, &x, &y, &z, b.out());
+        for (std::size_t j = 0; j < 7; ++j)
+            EXPECT_NEAR(sum.values[j][0], a.values[j][0] + b.values[j][0], 1e-12);
+    }
+}
+
 }  // namespace
 }  // namespace hawser

@@ -9,6 +9,7 @@
 #include "environment/random.hpp"
 #include "environment/spectra.hpp"
 #include "environment/wave_components.hpp"
+#include "environment/wave_trains.hpp"
 
 namespace hawser {
 namespace {
@@ -66,7 +67,7 @@ TEST(WaveComponents, EqualEnergyMeansEqualAmplitudes) {
 // Centroids keep m1/m0 of the spectrum over its range, with however few components. Midpoint rule
 // in steps of 1e-5 rad/s: 1e-8.
 TEST(WaveComponents, EqualEnergyKeepsTheMeanFrequency) {
-    const Jonswap spectrum = spectrum_of(paper_train(Discretisation::equal_energy));
+    const auto spectrum = std::get<Jonswap>(spectrum_of(paper_train(Discretisation::equal_energy)));
     double m0 = 0.0, m1 = 0.0;
     constexpr int cells = 200000;
     for (int i = 0; i < cells; ++i) {
@@ -89,7 +90,7 @@ TEST(WaveComponents, EqualEnergyKeepsTheMeanFrequency) {
 TEST(WaveComponents, EqualEnergyFollowsTheSpectrum) {
     const auto components =
         wave_components(paper_train(Discretisation::equal_energy), depth, gravity);
-    const Jonswap spectrum = spectrum_of(paper_train(Discretisation::equal_energy));
+    const auto spectrum = std::get<Jonswap>(spectrum_of(paper_train(Discretisation::equal_energy)));
     double below = 0.0, above = 0.0;
     const double median = 0.5 * (components[49].omega + components[50].omega);
     for (double w = 0.5 * spectrum.wp; w < 5.0 * spectrum.wp; w += 1e-5)
@@ -207,6 +208,105 @@ TEST(Random, IsUniform) {
     }
     EXPECT_NEAR(mean, 0.5, 4e-3);
     EXPECT_NEAR(square - mean * mean, 1.0 / 12.0, 1e-3);
+}
+
+// --- other spectra and lists
+// -----------------------------------------------------------------------
+
+std::vector<WaveTrain> every_spectrum() {
+    std::vector<WaveTrain> trains;
+    for (const WaveType type : {WaveType::pierson_moskowitz, WaveType::ochi_hubble,
+                                WaveType::torsethaugen, WaveType::white_noise})
+        trains.push_back({.type = type, .Hs = 6.0, .Tp = 13.0, .seed = 3, .components = 400});
+    trains[3].band_min = 0.25, trains[3].band_max = 1.75;
+    trains[3].discretisation = Discretisation::equal_frequency_random;
+    trains.push_back({.type = WaveType::spectrum_file, .seed = 3, .components = 400});
+    trains[4].spectrum = {{0.25, 0.0}, {0.4, 9.0}, {0.55, 1.0}, {0.9, 4.0}, {2.0, 0.0}};
+    return trains;
+}
+
+TEST(WaveComponents, CarryTheVarianceOfAnySpectrum) {
+    for (const WaveTrain& train : every_spectrum()) {
+        const double height = significant_height(train);
+        EXPECT_NEAR(variance(wave_components(train, depth, gravity)) / (height * height / 16), 1.0,
+                    1e-12);
+    }
+    // Trapezia by hand.
+    EXPECT_NEAR(std::pow(significant_height(every_spectrum()[4]), 2) / 16,
+                0.675 + 0.75 + 0.875 + 2.2, 1e-12);
+}
+
+// The energy below any frequency is that of the spectrum, to one component of 400 (as the spectrum
+// is scaled to its range).
+TEST(WaveComponents, FollowAnySpectrum) {
+    for (const WaveTrain& train : every_spectrum()) {
+        const Spectrum spectrum = spectrum_of(train);
+        const FrequencyRange range = frequency_range(train);
+        const auto components = wave_components(train, depth, gravity);
+        const auto energy_below = [&](double w) {
+            constexpr int cells = 4000;
+            const double step = (w - range.from) / cells;
+            double sum = 0.0;
+            for (int i = 0; i < cells; ++i)
+                sum += step * density(spectrum, range.from + (i + 0.5) * step);
+            return sum;
+        };
+        const double all = energy_below(range.to), carried = variance(components);
+        double below = 0.0, before = 0.0;
+        for (const WaveComponent& c : components) {
+            EXPECT_GT(c.omega, before);
+            before = c.omega;
+            below += 0.5 * c.amplitude * c.amplitude / carried;
+            EXPECT_NEAR(below, energy_below(c.omega) / all, 0.012) << c.omega;
+        }
+    }
+}
+
+TEST(WaveComponents, WhiteNoiseDoesNotRepeat) {
+    auto train = every_spectrum()[3];
+    train.components = 100;
+    // Equal spacing would repeat after 2 pi/0.015 = 419 s.
+    EXPECT_LT(largest_correlation(wave_components(train, depth, gravity), 60.0, 3600.0), 0.45);
+}
+
+TEST(WaveComponents, ListIsTakenAsItStands) {
+    WaveTrain train{.type = WaveType::components, .heading = 0.3};
+    train.list = {{0.8, 0.5, 1.0, {}}, {0.4, 2.0, -1.0, 2.0}};
+    const auto components = wave_components(train, 60.0, gravity);
+    ASSERT_EQ(components.size(), 2u);
+    EXPECT_EQ(components[0].heading, 0.3);
+    EXPECT_EQ(components[1].heading, 2.0);
+    EXPECT_EQ(components[1].amplitude, 2.0);
+    EXPECT_EQ(components[1].phase, -1.0);
+    EXPECT_EQ(components[1].k, wave_number(0.4, 60.0, gravity));
+    EXPECT_NEAR(significant_height(train), 4 * std::sqrt(0.5 * (0.25 + 4.0)), 1e-12);
+}
+
+TEST(WaveTrains, PeaksAreWhereTheEnergyIs) {
+    const auto trains = every_spectrum();
+    const double pi = std::numbers::pi;
+    EXPECT_DOUBLE_EQ(peaks_of(trains[0]).highest, 2 * pi / 13);
+    EXPECT_DOUBLE_EQ(peaks_of(trains[0]).lowest, 2 * pi / 13);
+    EXPECT_NEAR(peaks_of(trains[1]).highest, 0.70 * std::exp(-0.046 * 6), 1e-12);
+    EXPECT_DOUBLE_EQ(peaks_of(trains[2]).highest, 2 * pi / 13);
+    EXPECT_DOUBLE_EQ(peaks_of(trains[3]).highest, 1.0);
+    EXPECT_DOUBLE_EQ(peaks_of(trains[3]).lowest, 0.25);
+    WaveTrain list{.type = WaveType::components};
+    list.list = {{0.5, 1.0, 0, {}}, {0.9, 0.8, 0, {}}, {0.91, 0.8, 0, {}}, {0.2, 0.05, 0, {}}};
+    EXPECT_NEAR(peaks_of(list).highest, 0.905, 1e-12);  // two together have more than one
+    EXPECT_DOUBLE_EQ(peaks_of(list).lowest, 0.5);       // the one at 0.2 is next to nothing
+}
+
+// The largest train gives the frequency of the added mass, the longest the slow filter.
+TEST(WaveTrains, MainPeakIsOfTheLargestAndLowestOfTheLongest) {
+    const WaveTrain swell{.type = WaveType::jonswap, .Hs = 2.0, .Tp = 18.0};
+    const WaveTrain wind_sea{.type = WaveType::jonswap, .Hs = 5.0, .Tp = 10.0};
+    const WaveTrain regular{.type = WaveType::airy, .H = 5.0 / std::sqrt(2.0) + 0.1, .T = 9.0};
+    const double pi = std::numbers::pi;
+    EXPECT_DOUBLE_EQ(*main_peak({swell, wind_sea}), 2 * pi / 10);
+    EXPECT_DOUBLE_EQ(*main_peak({wind_sea, swell, regular}), 2 * pi / 9);
+    EXPECT_DOUBLE_EQ(*lowest_peak({wind_sea, swell, regular}), 2 * pi / 18);
+    EXPECT_FALSE(main_peak({}).has_value());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Particle kinematics against the closed forms of Airy theory, stretching, depth filter.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -224,6 +225,80 @@ TEST(WaveField, AnyNumberOfComponentsIsSummed) {
     EXPECT_NEAR(a.ux, b.ux, 1e-11);
     EXPECT_NEAR(a.az, b.az, 1e-11);
     EXPECT_NEAR(a.eta, b.eta, 1e-11);
+}
+
+// --- vertical and extrapolated ------------------------------------------------------------------
+
+WaveField stretched(const std::vector<WaveComponent>& components, double depth,
+                    Stretching stretching) {
+    return {components, {.depth = depth, .stretching = stretching}};
+}
+
+void expect_same_motion(const WaveSample& a, const WaveSample& b) {
+    EXPECT_EQ(a.ux, b.ux);
+    EXPECT_EQ(a.uy, b.uy);
+    EXPECT_EQ(a.uz, b.uz);
+    EXPECT_EQ(a.ax, b.ax);
+    EXPECT_EQ(a.ay, b.ay);
+    EXPECT_EQ(a.az, b.az);
+}
+
+TEST(WaveField, VerticalStretchingHoldsTheMeanLevelsValuesUpToTheSurface) {
+    const double h = 60.0;
+    const WaveField vertical = stretched(some_sea(h), h, Stretching::vertical);
+    const WaveField plain = unstretched(some_sea(h), h);
+    for (const double t : {1.0, 7.0, 20.0})
+        for (const double z : {-30.0, -1.0, 0.0, 2.0, 50.0}) {
+            const WaveSample sample = vertical.sample(t, 0.8, 3.0, 1.0, z);
+            expect_same_motion(sample, plain.sample(t, 0.8, 3.0, 1.0, std::min(z, 0.0)));
+            EXPECT_NEAR(sample.eta, vertical.elevation(t, 0.8, 3.0, 1.0), 1e-14);
+        }
+}
+
+// One component under its crest, where u = A w (coth kh + k z) above mean sea level: the tangent of
+// A w cosh k(z + h)/sinh kh at z = 0. The vertical acceleration likewise, -A w^2 (1 + k z coth kh).
+TEST(WaveField, ExtrapolationFollowsTheTangentAtMeanLevel) {
+    for (const double h : {10.0, 200.0}) {
+        const double A = 2.5, w = 0.7;
+        const WaveComponent c = component(A, w, h, 0.0, 0.5);
+        const WaveField field = stretched({c}, h, Stretching::extrapolation);
+        for (const double z : {0.0, 0.6, 2.0, 2.5}) {
+            const WaveSample crest = field.sample(0.0, 1.0, 0.0, 0.0, z);
+            const double coth = 1 / std::tanh(c.k * h), u = A * w * (coth + c.k * z);
+            EXPECT_NEAR(crest.ux, u * std::cos(0.5), 1e-12);
+            EXPECT_NEAR(crest.uy, u * std::sin(0.5), 1e-12);
+            EXPECT_NEAR(crest.az, -A * w * w * (1 + c.k * z * coth), 1e-12);
+            EXPECT_NEAR(crest.eta, A, 1e-12);
+        }
+        // In the air the surface's values hold.
+        expect_same_motion(field.sample(0.0, 1.0, 0.0, 0.0, 9.0),
+                           field.sample(0.0, 1.0, 0.0, 0.0, field.elevation(0.0, 1.0, 0.0, 0.0)));
+    }
+}
+
+// In a sea: value and slope of the unstretched field go on; below, and in troughs, nothing changes.
+TEST(WaveField, ExtrapolationContinuesTheUnstretchedField) {
+    const double h = 60.0;
+    const WaveField field = stretched(some_sea(h), h, Stretching::extrapolation);
+    const WaveField plain = unstretched(some_sea(h), h);
+    int crests = 0;
+    for (double t = 0.0; t < 60.0; t += 1.0) {
+        const double eta = field.elevation(t, 1.0, 3.0, 1.0);
+        for (const double z : {-20.0, -0.5, 0.0})
+            expect_same_motion(field.sample(t, 1.0, 3.0, 1.0, z),
+                               plain.sample(t, 1.0, 3.0, 1.0, z));
+        const double d = 1e-4;  // difference of the plain field: second order, k^2 d/2
+        const WaveSample top = plain.sample(t, 1.0, 3.0, 1.0, 0.0);
+        const WaveSample low = plain.sample(t, 1.0, 3.0, 1.0, -d);
+        const double z = std::clamp(0.7 * eta, 0.0, 10.0);
+        const WaveSample above = field.sample(t, 1.0, 3.0, 1.0, z);
+        crests += z > 0.5;
+        EXPECT_NEAR(above.ux, top.ux + z * (top.ux - low.ux) / d, 1e-3 * (1 + z));
+        EXPECT_NEAR(above.uz, top.uz + z * (top.uz - low.uz) / d, 1e-3 * (1 + z));
+        EXPECT_NEAR(above.ay, top.ay + z * (top.ay - low.ay) / d, 1e-3 * (1 + z));
+        EXPECT_NEAR(above.az, top.az + z * (top.az - low.az) / d, 1e-3 * (1 + z));
+    }
+    EXPECT_GT(crests, 5);
 }
 
 }  // namespace

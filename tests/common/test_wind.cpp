@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "environment/gust_spectra.hpp"
 #include "environment/npd.hpp"
 #include "environment/wind.hpp"
 
@@ -142,6 +143,90 @@ TEST(WindField, ConstantWindIsTheGivenSpeedEverywhere) {
     const Wind steady{.spectrum = WindSpectrum::constant, .speed = 20.0};
     EXPECT_EQ(WindField(steady, 100.0, 70.0).speed(123.0), 20.0);
     EXPECT_EQ(WindField(steady, 100.0, 70.0).mean_speed(), 20.0);
+}
+
+// --- other winds -------------------------------------------------------------------------------
+
+/// Energy between two frequencies [Hz]: Simpson's rule in ln f.
+template <class Density>
+double energy_between(const Density& density, double a, double b) {
+    constexpr int cells = 20000;
+    const double width = std::log(b / a) / cells;
+    double sum = 0.0;
+    for (int i = 0; i <= cells; ++i) {
+        const double f = a * std::exp(i * width);
+        sum += (i == 0 || i == cells ? 1.0 : i % 2 == 1 ? 4.0 : 2.0) * width / 3.0 * f * density(f);
+    }
+    return sum;
+}
+
+// The closed integral of (1 + c f)^(-5/3): energy above f is sigma^2 (1 + c f)^(-2/3).
+TEST(ApiWind, SpectrumHasTheClosedEnergyAndProfile) {
+    const ApiWind wind{.U0 = 30.0};
+    for (const double z : {10.0, 40.0}) {
+        const double sigma = wind.deviation(z), fp = 0.025 * wind.mean(z) / z;
+        const auto above = [&](double f) {
+            return sigma * sigma * std::pow(1 + 1.5 * f / fp, -2.0 / 3);
+        };
+        EXPECT_NEAR(energy_between([&](double f) { return wind.gust_density(z, f); }, 1e-3, 2.0),
+                    above(1e-3) - above(2.0), 1e-8);
+    }
+    EXPECT_DOUBLE_EQ(wind.mean(10.0), 30.0);
+    EXPECT_NEAR(wind.mean(80.0), 30.0 * std::pow(8.0, 0.125), 1e-12);
+    EXPECT_NEAR(wind.deviation(20.0), 0.15 * wind.mean(20.0), 1e-12);
+    EXPECT_NEAR(wind.deviation(10.0), 0.15 * 30.0 * 1.0905, 1e-3);             // 2^0.125
+    EXPECT_NEAR(wind.deviation(40.0), 0.15 * wind.mean(40.0) * 0.8265, 1e-3);  // 2^-0.275
+    EXPECT_NEAR(wind.gust_density(10.0, 0.0), std::pow(wind.deviation(10), 2) / 0.075, 1e-9);
+    EXPECT_NEAR(api_wind(wind.mean(35.0), 35.0).U0, 30.0, 1e-12);
+}
+
+TEST(KaimalWind, SpectrumHasTheClosedEnergyAndProfile) {
+    const KaimalWind wind{.speed = 18.0, .height = 90.0, .intensity = 0.14};
+    for (const double z : {20.0, 90.0}) {
+        const double sigma = 0.14 * wind.mean(z);
+        const double time = 8.1 * (z > 60.0 ? 42.0 : 0.7 * z) / wind.mean(z);
+        const auto above = [&](double f) {
+            return sigma * sigma * std::pow(1 + 6 * f * time, -2.0 / 3);
+        };
+        EXPECT_NEAR(energy_between([&](double f) { return wind.gust_density(z, f); }, 1e-3, 2.0),
+                    above(1e-3) - above(2.0), 1e-8);
+    }
+    EXPECT_DOUBLE_EQ(wind.mean(90.0), 18.0);
+    EXPECT_NEAR(wind.mean(45.0), 18.0 * std::pow(0.5, 0.14), 1e-12);
+}
+
+// The gusts carry the closed energy of their band.
+TEST(WindField, ApiAndKaimalGustsHaveTheStandardDeviationOfTheBand) {
+    const Wind api{.spectrum = WindSpectrum::api, .speed = 25.0, .seed = 2};
+    Wind kaimal = api;
+    kaimal.spectrum = WindSpectrum::kaimal;
+    kaimal.turbulence_intensity = 0.1;
+    const double z = 30.0, low = 1.0 / 3600, high = 1.0;
+    const ApiWind a{.U0 = 25.0};
+    const KaimalWind k{.speed = 25.0, .height = 10.0, .intensity = 0.1};
+    const auto share = [&](double c) {
+        return std::pow(1 + c * low, -2.0 / 3) - std::pow(1 + c * high, -2.0 / 3);
+    };
+    const WindField api_field(api, 0.0, z), kaimal_field(kaimal, 0.0, z);
+    EXPECT_NEAR(standard_deviation(api_field.components()),
+                a.deviation(z) * std::sqrt(share(1.5 * z / (0.025 * a.mean(z)))), 1e-6);
+    EXPECT_NEAR(standard_deviation(kaimal_field.components()),
+                0.1 * k.mean(z) * std::sqrt(share(6 * 8.1 * 0.7 * z / k.mean(z))), 1e-6);
+    EXPECT_EQ(api_field.mean_speed(), a.mean(z));
+    EXPECT_EQ(kaimal_field.mean_speed(), k.mean(z));
+}
+
+TEST(WindField, TimeHistoryIsLinearBetweenItsRows) {
+    const Wind measured{.spectrum = WindSpectrum::time_history,
+                        .history = {{10.0, 8.0}, {20.0, 14.0}, {50.0, 11.0}}};
+    const WindField full(measured, 0.0, 30.0), ramped(measured, 100.0, 30.0);
+    EXPECT_DOUBLE_EQ(full.mean_speed(), (110.0 + 375.0) / 40.0);
+    EXPECT_DOUBLE_EQ(full.speed(15.0), 11.0);
+    EXPECT_DOUBLE_EQ(full.speed(20.0), 14.0);
+    EXPECT_DOUBLE_EQ(full.speed(35.0), 12.5);
+    EXPECT_DOUBLE_EQ(full.speed(0.0), 8.0);
+    EXPECT_DOUBLE_EQ(full.speed(90.0), 11.0);
+    EXPECT_DOUBLE_EQ(ramped.speed(50.0), 0.5 * (full.mean_speed() + 11.0));
 }
 
 }  // namespace

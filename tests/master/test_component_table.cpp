@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "component_table.hpp"
+#include "drift.hpp"
+#include "excitation.hpp"
 #include "radiation.hpp"
 #include "spar_hull.hpp"
+#include "wave_phases.hpp"
 
 namespace hawser::master {
 namespace {
@@ -40,6 +43,69 @@ TEST(Headings, SlopeIsContinuousAcrossTheSeamAt180) {
         const double after =
             (interpolated(circle, true, b + h, f) - interpolated(circle, true, b, f)) / h;
         EXPECT_NEAR(before, after, 3e-3);  // curvature times h
+    }
+}
+
+/// A table round the circle without any symmetry.
+WaveTable<CVec6> lopsided() {
+    WaveTable<CVec6> table;
+    table.full_circle = true;
+    table.frequencies = {0.4, 0.8};
+    for (const double b : every(20, -160, 180)) {
+        CVec6 X;
+        for (int k = 0; k < 6; ++k)
+            X[k] = {std::sin(b + k) + 0.3 * std::cos(2 * b - k), std::cos(b - 0.7 * k) + 0.2 * k};
+        table.headings.push_back({b, {X, 1.5 * X}});
+    }
+    return table;
+}
+
+// Yaw may count on: what is felt depends on the angle alone.
+TEST(Headings, HullTurnedByWholeTurnsFeelsTheSameExcitationAndDrift) {
+    const std::vector<WaveComponent> waves{{1.2, 0.5, 0.03, 0.4, 2.9}, {0.7, 0.7, 0.05, 1.9, -0.6}};
+    const ComponentTable<CVec6> table(lopsided(), waves);
+    WaveTable<Vec6> drift;
+    drift.full_circle = true;
+    drift.frequencies = {0.4, 0.8};
+    for (const auto& h : lopsided().headings)
+        drift.headings.push_back({h.heading, {h.values[0].real(), h.values[1].imag()}});
+    const ComponentTable<Vec6> drifts(drift, waves);
+    std::vector<Complex> phases(2);
+    set_wave_phases(waves, 3.0, {.x = 5.0, .y = -2.0}, phases);
+    for (double yaw = -3.1; yaw < 3.2; yaw += 0.37) {
+        const Vec6 once = excitation_load(table, waves, phases, yaw);
+        const DriftLoad drifted = drift_load(drifts, waves, phases, yaw);
+        for (const int turns : {-4, -1, 1, 5}) {  // rounding of a yaw of 30 rad
+            const double turned = yaw + 2 * M_PI * turns;
+            EXPECT_LT((excitation_load(table, waves, phases, turned) - once).norm(), 1e-13 * 60);
+            EXPECT_LT((drift_load(drifts, waves, phases, turned).slow - drifted.slow).norm(),
+                      1e-13 * 60);
+            EXPECT_LT((drift_load(drifts, waves, phases, turned).mean - drifted.mean).norm(),
+                      1e-13 * 60);
+        }
+    }
+}
+
+// From a yaw of 170 deg over 180 to that of -170 deg: neither load nor its slope jumps, with each
+// wave's own heading passing the seam of the table as well.
+TEST(Headings, LoadsAreSmoothAcrossThe180OfYawAndOfTheTable) {
+    const std::vector<WaveComponent> waves{{1.0, 0.5, 0.03, 0.4, 0.0}, {1.0, 0.6, 0.04, 2.0, 0.1}};
+    const ComponentTable<CVec6> table(lopsided(), waves);
+    std::vector<Complex> phases(2);
+    set_wave_phases(waves, 1.0, {}, phases);
+    const double from = 170 * M_PI / 180, step = 2e-4;
+    Vec6 before = excitation_load(table, waves, phases, from), slope_before = Vec6::Zero();
+    for (int i = 1; i * step < 20 * M_PI / 180; ++i) {
+        const double yaw = from + i * step;
+        const Vec6 load = excitation_load(table, waves, phases, yaw > M_PI ? yaw - 2 * M_PI : yaw);
+        const Vec6 slope = (load - before) / step;
+        EXPECT_LT((load - before).norm(), 10 * step) << yaw;
+        // The curvature of cubic pieces may jump, the slope not: it changes by 10 or so per rad.
+        if (i > 1) {
+            EXPECT_LT((slope - slope_before).norm(), 40 * step) << yaw;
+        }
+        before = load;
+        slope_before = slope;
     }
 }
 

@@ -12,24 +12,24 @@
 namespace hawser {
 
 struct HydroCheck {
-    enum class Verdict { fine, doubtful, wrong };
-    enum class About { radiation, excitation, stiffness };
+    /// remark: worth knowing, but no sign of wrong data.
+    enum class Verdict { fine, remark, doubtful, wrong };
+    enum class About { radiation, excitation, stiffness, drift, second_order };
     Verdict verdict = Verdict::fine;
     About about = About::radiation;
-    std::string what;      ///< "Haskind, heave"
-    std::string sentence;  ///< what was found, and for the doubtful what to do
+    std::string what;            ///< "Haskind, heave"
+    std::string sentence;        ///< what was found, and for the doubtful what to do
+    double frequency = 0.0;      ///< where it shows most [rad/s]; 0: nowhere in particular
+    int mode = -1;               ///< 0 .. 5, or none
+    std::optional<double> size;  ///< the figure, relative: 0 is perfect
 };
 
 /// All checks that the data allow, in a fixed order.
 std::vector<HydroCheck> check_hydro(const HydroData& data);
 
-/// How far damping and excitation are from Haskind's relation
-///
-///     B_ii = k / (8 pi rho g c_g) int_0^2pi |X_i(b)|^2 db
-///
-/// as sum |B_ii - that| over sum B_ii, the larger of surge and heave. None if there is no damping,
-/// no depth-free reading or not enough headings: a full turn, or any one for a hull that is round
-/// by its added mass.
+/// How far damping and excitation are from Haskind's relation (hydro_relations.hpp): sum |B_ii -
+/// that| over sum B_ii in waves longer than half the hull, the larger of surge and heave. None
+/// without damping or without a full turn of headings.
 std::optional<double> haskind_misfit(const HydroData& data);
 
 }  // namespace hawser

@@ -54,6 +54,15 @@ struct Qtf {
     [[nodiscard]] bool empty() const { return pairs.empty(); }
 };
 
+/// How mean drift was worked out: momentum in the far field (.8; surge, sway and yaw alone),
+/// pressure on the hull (.9), or a control surface (.7).
+enum class DriftMethod { momentum, pressure, control_surface };
+
+struct MeanDrift {
+    DriftMethod method = DriftMethod::momentum;
+    WaveTable<Vec6> table;
+};
+
 struct HydroData {
     std::string source;    ///< "WAMIT", "Capytaine" ... with the file or stem
     double gravity = 0.0;  ///< that made the files dimensional [m/s2]
@@ -80,9 +89,11 @@ struct HydroData {
     WaveTable<CVec6> excitation;  ///< X(w, b) per metre amplitude, crest at O [N/m, N.m/m]
     WaveTable<CVec6> haskind;     ///< the same by Haskind's relation (.2 beside a .3)
     WaveTable<CVec6> froude_krylov, scattering;  ///< its parts, where the files give them
-    WaveTable<CVec6> motion;           ///< free motion of O per metre amplitude [m/m, rad/m]
-    WaveTable<Vec6> mean_drift;        ///< D(w, b) per amplitude squared [N/m2, N.m/m2]
-    bool drift_is_horizontal = false;  ///< from a .8: heave, roll and pitch drift are zero
+    WaveTable<CVec6> motion;     ///< free motion of O per metre amplitude [m/m, rad/m]
+    WaveTable<Vec6> mean_drift;  ///< D(w, b) per amplitude squared [N/m2, N.m/m2]
+    DriftMethod drift_method = DriftMethod::momentum;
+    bool drift_is_horizontal = false;    ///< from a .8: heave, roll and pitch drift are zero
+    std::vector<MeanDrift> other_drift;  ///< the same by other methods, where the files have it
     Qtf difference, sum;
 
     std::vector<std::string> notes;  ///< what the reader worked out or doubts, one sentence each

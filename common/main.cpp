@@ -14,6 +14,7 @@
 #include "io/cylinder_command.hpp"
 #include "io/files.hpp"
 #include "io/hdf5.hpp"
+#include "io/hydro_commands.hpp"
 #include "io/link.hpp"
 #include "io/modes_text.hpp"
 #include "io/run_folder.hpp"
@@ -183,6 +184,10 @@ int main(int argc, char** argv) {
                 return modes(line);
             case Command::hydro_cylinder:
                 return io::cylinder_command(line.cylinder, line.out.string(), line.quiet);
+            case Command::hydro_info:
+                return io::hydro_info_command(line.hydro, line.json);
+            case Command::hydro_convert:
+                return io::hydro_convert_command(line.hydro, line.out.string(), line.quiet);
             case Command::schema:
                 return io::schema_command(line);
             case Command::none:

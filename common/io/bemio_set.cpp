@@ -21,6 +21,7 @@ class BemioSet {
     HydroSet read() {
         set_.radiation_file = set_.excitation_file = set_.stiffness_file = path_;
         set_.data.source = "BEMIO " + path_.string();
+        set_.files = {path_.string()};
         int bodies = 0;
         while (file_.exists(fmt::format("body{}", bodies + 1))) ++bodies;
         const int wanted = r_.database.body.value_or(1);
@@ -111,6 +112,7 @@ class BemioSet {
         }
         const double rho = scaled_ ? 1.0 : data.density;
         for (const std::size_t f : order_) {
+            if (std::isnan(A[f])) continue;  // a frequency of the drift alone
             data.frequencies.push_back(w_[f]);
             data.added_mass.push_back(rho * matrix(A, shape, f));
             data.damping.push_back((scaled_ ? 1.0 : rho * w_[f]) * matrix(B, shape, f));
@@ -140,7 +142,7 @@ class BemioSet {
             for (std::size_t h = 0; h < shape[1]; ++h)
                 for (std::size_t i = 0; i < 6 && i < shape[0]; ++i) {
                     const std::size_t at = (i * shape[1] + h) * shape[2] + f;
-                    if (!std::isfinite(x[at]) || !std::isfinite(y[at])) return {};  // not there
+                    if (!std::isfinite(x[at]) || !std::isfinite(y[at])) continue;  // not there
                     rows.push_back({0, w_[f], headings_[h], static_cast<int>(i),
                                     scale * Complex(x[at], y[at])});
                 }
@@ -155,8 +157,10 @@ class BemioSet {
     }
 
     void drift() {
-        for (const char* way :
-             {"momentum_conservation", "pressure_integration", "control_surface"}) {
+        HydroData& data = set_.data;
+        for (const auto& [way, method] : {std::pair{"momentum_conservation", DriftMethod::momentum},
+                                          {"pressure_integration", DriftMethod::pressure},
+                                          {"control_surface", DriftMethod::control_surface}}) {
             const std::string name = fmt::format("{}hydro_coeffs/mean_drift/{}/val", body_, way);
             if (!file_.exists(name)) continue;
             const auto x = file_.read(name);
@@ -165,16 +169,23 @@ class BemioSet {
                 r_.problems.add(path_, 0, name + " is not (6, headings, frequencies)");
                 return;
             }
-            const double scale = scaled_ ? 1.0 : set_.data.density * set_.data.gravity;
+            const double scale = scaled_ ? 1.0 : data.density * data.gravity;
             std::vector<WaveRow> rows;
             for (const std::size_t f : order_)
                 for (std::size_t h = 0; h < shape[1]; ++h)
                     for (std::size_t i = 0; i < 6 && i < shape[0]; ++i)
-                        rows.push_back({0, w_[f], headings_[h], static_cast<int>(i),
-                                        scale * x[(i * shape[1] + h) * shape[2] + f]});
-            set_.data.mean_drift = real_part(table_of(rows, path_, r_.problems));
-            set_.data.drift_is_horizontal = way[0] == 'm';
-            return;
+                        if (const double D = x[(i * shape[1] + h) * shape[2] + f]; std::isfinite(D))
+                            rows.push_back(
+                                {0, w_[f], headings_[h], static_cast<int>(i), scale * D});
+            WaveTable<Vec6> table = real_part(table_of(rows, path_, r_.problems));
+            if (table.empty()) continue;
+            if (!data.mean_drift.empty()) {
+                data.other_drift.push_back({method, std::move(table)});
+                continue;
+            }
+            data.mean_drift = std::move(table);
+            data.drift_method = method;
+            data.drift_is_horizontal = method == DriftMethod::momentum;
         }
     }
 

@@ -54,6 +54,7 @@ class CapytaineSet {
     HydroSet read() {
         set_.radiation_file = set_.excitation_file = set_.stiffness_file = path_;
         set_.data.source = "Capytaine " + path_.string();
+        set_.files = {path_.string()};
         for (const char* name : {"omega", "radiating_dof", "influenced_dof", "added_mass",
                                  "radiation_damping", "rho", "g"})
             if (!file_.exists(name))

@@ -22,6 +22,7 @@ struct Options {
     double heading = 0.0;
     std::vector<std::string> sets;
     CylinderOptions cylinder;
+    HydroOptions hydro;
 };
 
 void add_case(CLI::App& command, Options& options) {
@@ -136,6 +137,66 @@ void add_modes(CLI::App& app, Options& options, CommandLine& line) {
         "6 input or output failure.");
 }
 
+/// The files of a set, and what they do not tell.
+void add_set(CLI::App& command, HydroOptions& o) {
+    command
+        .add_option(
+            "files", o.files,
+            "The files of a WAMIT or HAMS set or the name they share; a .nc of Capytaine; a "
+            ".h5 of BEMIO; the folder of NEMOH")
+        ->required()
+        ->type_name("FILES");
+    const auto add = [&](const char* name, std::string& value, const char* type, const char* text) {
+        command.add_option(name, value, text)->type_name(type);
+    };
+    add("--format", o.format, "NAME",
+        "wamit, hams, capytaine, nemoh or bemio (default: by the names)");
+    add("--rho", o.rho, "KG/M3", "Density of the water (default: the files', else 1025)");
+    add("--g", o.g, "M/S2", "Gravity (default: the files', else 9.80665)");
+    add("--ulen", o.ulen, "M", "WAMIT's ULEN (default 1)");
+    add("--depth", o.depth, "M", "Depth of the water, or infinite");
+    add("--volume", o.volume, "M3", "Displaced volume, where the files do not tell");
+    add("--centre-of-buoyancy", o.centre_of_buoyancy, "X,Y,Z", "Its centre, with --volume");
+    add("--mass", o.mass, "KG", "Of the platform, for its metacentric height");
+    add("--cog", o.cog, "Z", "Its centre of gravity, with --mass");
+    command.add_flag("--includes-weight", o.includes_weight,
+                     "The stiffness of the files contains -m g z_G of that mass");
+    add("--period-column", o.period_column, "NAME",
+        "First column: period, frequency, deep_wavenumber, wavenumber, auto");
+    add("--limits", o.limits, "NAME", "Which end is which limit: wamit or reversed");
+    add("--symmetry", o.symmetry, "PLANES",
+        "Of the hull, which mirror the headings: xz, yz or xz,yz");
+    add("--reference-point", o.reference_point, "X,Y,Z",
+        "Origin of the files on the platform's axes");
+    add("--phase-origin", o.phase_origin, "X,Y",
+        "Where that point stood in the axes of the phases");
+    add("--body", o.body, "N", "Which of several bodies");
+}
+
+void add_hydro_files(CLI::App& hydro, Options& options, CommandLine& line) {
+    CLI::App& info = *hydro.add_subcommand(
+        "info",
+        "What a set of hydrodynamic data holds, and whether it can be right: symmetry, positive "
+        "damping, Haskind's and Ogilvie's relations, long waves, drift, limits.");
+    add_set(info, options.hydro);
+    info.add_flag("--json", line.json, "Print everything as JSON, for scripts/plot_hydro");
+    info.callback([&line] { line.command = CommandLine::Command::hydro_info; });
+    info.footer(
+        "Exit codes: 0 nothing is wrong; 3 cannot be read, or a check says wrong; 2 wrong command "
+        "line.");
+
+    CLI::App& convert = *hydro.add_subcommand(
+        "convert",
+        "Write a set as WAMIT files STEM.1 .3 .hst and so on with ULEN 1, and as BEMIO's STEM.h5, "
+        "about the reference point and without weight.");
+    add_set(convert, options.hydro);
+    convert.add_option("-o,--output", options.out, "Where to write")->type_name("STEM")->required();
+    convert.add_flag("-q,--quiet", line.quiet, "Only errors and warnings");
+    convert.callback([&line] { line.command = CommandLine::Command::hydro_convert; });
+    convert.footer(
+        "Exit codes: 0 written; 3 cannot be read; 2 wrong command line; 6 output failure.");
+}
+
 /// `hydro` has commands of its own, for data that no case is needed for.
 void add_hydro(CLI::App& app, Options& options, CommandLine& line) {
     CLI::App& hydro = *app.add_subcommand("hydro", "Hydrodynamic coefficients without a case.");
@@ -171,6 +232,7 @@ void add_hydro(CLI::App& app, Options& options, CommandLine& line) {
     cylinder.add_flag("-q,--quiet", line.quiet, "Only errors");
     cylinder.callback([&line] { line.command = CommandLine::Command::hydro_cylinder; });
     cylinder.footer("Exit codes: 0 written; 2 wrong command line; 6 output failure.");
+    add_hydro_files(hydro, options, line);
 }
 
 /// "from:to:step" or "a,b,c"; false if it is neither.
@@ -300,6 +362,15 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
         std::vector<std::string> problems;
         line.cylinder = cylinder_request(options.cylinder, problems);
         line.out = options.cylinder.out;
+        for (const std::string& problem : problems) line.message.append(problem).append("\n");
+        if (!problems.empty()) line.finished = ExitCode::command_line;
+        return line;
+    }
+    if (line.command == CommandLine::Command::hydro_info ||
+        line.command == CommandLine::Command::hydro_convert) {
+        std::vector<std::string> problems;
+        line.hydro = hydro_request(options.hydro, problems);
+        line.out = options.out;
         for (const std::string& problem : problems) line.message.append(problem).append("\n");
         if (!problems.empty()) line.finished = ExitCode::command_line;
         return line;

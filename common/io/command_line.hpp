@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hydro/cylinder_data.hpp"
+#include "io/hydro_options.hpp"
 #include "modes_report.hpp"
 #include "roles.hpp"
 #include "statics_report.hpp"
@@ -16,7 +17,18 @@
 namespace hawser::io {
 
 struct CommandLine {
-    enum class Command { none, run, check, statics, modes, hydro_cylinder, schema, version };
+    enum class Command {
+        none,
+        run,
+        check,
+        statics,
+        modes,
+        hydro_cylinder,
+        hydro_info,
+        hydro_convert,
+        schema,
+        version
+    };
     Command command = Command::none;
 
     std::filesystem::path case_file;  ///< run, check, statics, modes
@@ -39,6 +51,7 @@ struct CommandLine {
     std::filesystem::path output_file;  ///< schema: empty, so standard output; statics, modes: CSV
 
     hydro::CylinderRequest cylinder;  ///< hydro cylinder; `out` is the stem of its files
+    HydroRequest hydro;               ///< hydro info, convert; `out` likewise
 
     std::string text;  ///< the whole command, for the result's attributes
 

@@ -3,35 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <optional>
-#include <sstream>
+
+#include "io/option_numbers.hpp"
 
 namespace hawser::io {
 namespace {
 
 using Problems = std::vector<std::string>;
-
-std::optional<double> number_of(const std::string& text) {
-    std::size_t used = 0;
-    try {
-        const double value = std::stod(text, &used);
-        if (used == text.size() && std::isfinite(value)) return value;
-    } catch (const std::exception&) {
-    }
-    return std::nullopt;
-}
-
-std::optional<std::vector<double>> numbers_of(const std::string& text, char separator) {
-    std::vector<double> out;
-    std::istringstream words(text);
-    for (std::string word; std::getline(words, word, separator);) {
-        const std::optional<double> number = number_of(word);
-        if (!number) return std::nullopt;
-        out.push_back(*number);
-    }
-    if (out.empty() || text.back() == separator) return std::nullopt;
-    return out;
-}
 
 /// One number, `least` or more (or more than it, if `open`).
 double read(const char* name, const std::string& text, const char* what, double least, bool open,

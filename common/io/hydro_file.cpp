@@ -80,6 +80,7 @@ void finish_headings(Reading& r, const Path& file, HydroData& data) {
          {&data.excitation, &data.haskind, &data.froude_krylov, &data.scattering, &data.motion})
         finish(*table);
     finish(data.mean_drift);
+    for (MeanDrift& other : data.other_drift) finish(other.table);
     for (Qtf* qtf : {&data.difference, &data.sum}) {
         if (yz) mirror(*qtf, false);
         if (xz) mirror(*qtf, true);
@@ -134,16 +135,6 @@ void take_apart(Reading& r, const HydroSet& set, HydroData& data) {
     waterplane(1, 1) -= rho_g * data.displaced_volume * z_B;
     waterplane(2, 2) -= rho_g * data.displaced_volume * z_B;
 
-    // Of all waterplanes of one area the disc has the least polar moment, A^2/(2 pi).
-    const double area = waterplane(0, 0) / rho_g;
-    const double polar = (waterplane(1, 1) + waterplane(2, 2)) / rho_g;
-    if (area < 0.0 || polar < 0.9 * area * area / (2 * M_PI))
-        r.problems.add(
-            file, 0,
-            fmt::format("C33 means a waterplane of {:.5g} m2, whose second moments sum to at least "
-                        "{:.5g} m4; C44 + C55 without buoyancy leave {:.5g} m4. Check ulen, "
-                        "displaced_volume, centre_of_buoyancy and includes_weight",
-                        area, area * area / (2 * M_PI), polar));
     data.waterplane_stiffness = waterplane;
 }
 
@@ -167,8 +158,12 @@ void shift_to_reference_point(const Vec3& r, HydroData& data) {
             for (CVec6& X : h.values) X = (Tt * X).eval();
     for (auto& h : data.motion.headings)
         for (CVec6& X : h.values) X = (back * X).eval();
-    for (auto& h : data.mean_drift.headings)
-        for (Vec6& D : h.values) D = (T.transpose() * D).eval();
+    const auto shift_drift = [&](WaveTable<Vec6>& table) {
+        for (auto& h : table.headings)
+            for (Vec6& D : h.values) D = (T.transpose() * D).eval();
+    };
+    shift_drift(data.mean_drift);
+    for (MeanDrift& other : data.other_drift) shift_drift(other.table);
     for (Qtf* qtf : {&data.difference, &data.sum})
         for (QtfPair& p : qtf->pairs)
             for (CVec6& Q : p.values) Q = (Tt * Q).eval();
@@ -188,10 +183,35 @@ void shift_to_reference_point(const Vec3& r, HydroData& data) {
     data.buoyancy_stiffness->block<3, 3>(2, 2) = C;
 }
 
-HydroData read_once(const HydroDatabase& database, const Water& water, double depth) {
+/// The line that tells most of what a check found: of its frequency and mode, else of its
+/// frequency; 0 if there is none.
+int line_of(const HydroCheck& check, const std::vector<RowPlace>& rows) {
+    int line = 0;
+    for (const RowPlace& row : rows) {
+        if (check.frequency == 0.0 || !same_frequency(row.frequency, check.frequency)) continue;
+        if (row.mode == check.mode) return row.line;
+        if (line == 0 && check.mode < 0) line = row.line;
+    }
+    return line;
+}
+
+/// The file that a check is about, and its rows if there are any.
+std::pair<Path, const std::vector<RowPlace>*> place_of(HydroCheck::About about,
+                                                       const HydroSet& set) {
+    using About = HydroCheck::About;
+    if (about == About::radiation) return {set.radiation_file, &set.radiation_rows};
+    if (about == About::stiffness) return {set.stiffness_file, nullptr};
+    if (about == About::drift && !set.drift_file.empty()) return {set.drift_file, nullptr};
+    if (about == About::second_order && !set.second_order_file.empty())
+        return {set.second_order_file, nullptr};
+    return {set.excitation_file, &set.excitation_rows};
+}
+
+CheckedHydro read_once(const HydroDatabase& database, const Water& water, double depth) {
     Reading r{database, water.gravity, depth, {}, {}};
     HydroSet set = read_set(r);
-    HydroData data = std::move(set.data);
+    CheckedHydro out;
+    HydroData& data = out.data = std::move(set.data);
     stated_values(r, data);
     finish_headings(r, set.excitation_file, data);
     take_apart(r, set, data);
@@ -203,28 +223,40 @@ HydroData read_once(const HydroDatabase& database, const Water& water, double de
             fmt::format("{}: made dimensional with {:g} kg/m3, but the water of the "
                         "case has {:g} kg/m3",
                         database.path, data.density, water.density));
-    for (const HydroCheck& check : check_hydro(data)) {
-        const Path& file = check.about == HydroCheck::About::radiation   ? set.radiation_file
-                           : check.about == HydroCheck::About::stiffness ? set.stiffness_file
-                                                                         : set.excitation_file;
-        if (check.verdict == HydroCheck::Verdict::wrong) r.problems.add(file, 0, check.sentence);
-        if (check.verdict == HydroCheck::Verdict::doubtful)
-            r.notes.push_back(fmt::format("{}: {}", file.string(), check.sentence));
+    for (HydroCheck& check : check_hydro(data)) {
+        const auto [file, rows] = place_of(check.about, set);
+        const int line = rows != nullptr ? line_of(check, *rows) : 0;
+        out.checks.push_back({std::move(check), file.string(), line});
     }
-    if (!r.problems.empty()) throw HydroFileError(r.problems);
+    out.files = std::move(set.files);
+    data.notes = std::move(r.notes);
+    return out;
+}
+
+/// What is wrong is thrown, what is doubtful noted.
+HydroData accepted(CheckedHydro checked) {
+    FileProblems problems;
+    for (const auto& [check, file, line] : checked.checks) {
+        if (check.verdict == HydroCheck::Verdict::wrong) problems.add(file, line, check.sentence);
+        if (check.verdict == HydroCheck::Verdict::doubtful)
+            checked.data.notes.push_back(line > 0
+                                             ? fmt::format("{}:{}: {}", file, line, check.sentence)
+                                             : fmt::format("{}: {}", file, check.sentence));
+    }
+    if (!problems.empty()) throw HydroFileError(problems);
+    HydroData& data = checked.data;
     if (data.mean_drift.empty() && !data.difference.empty()) {
         data.mean_drift = real_part(diagonal(data.difference));
-        r.notes.push_back(fmt::format(
+        data.notes.push_back(fmt::format(
             "{}: no file of mean drift; the diagonal of the difference QTF is taken for it",
             data.source));
     }
-    data.notes = std::move(r.notes);
-    return data;
+    return std::move(data);
 }
 
 /// period_column: auto. The reading whose damping and excitation belong together by Haskind's
 /// relation is the right one.
-HydroData read_either(HydroDatabase database, const Water& water, double depth) {
+CheckedHydro read_either(HydroDatabase database, const Water& water, double depth) {
     std::optional<HydroData> best;
     double least = 0.0;
     std::string problems;
@@ -255,18 +287,23 @@ HydroData read_either(HydroDatabase database, const Water& water, double depth) 
     }
     database.period_column =
         is == std::string("periods") ? PeriodColumn::period : PeriodColumn::frequency;
-    HydroData data = read_once(database, water, depth);
-    data.notes.insert(data.notes.begin(),
-                      fmt::format("{}: the first column is taken for {}: damping and excitation "
-                                  "then agree within {:.2g} % (Haskind)",
-                                  database.path, is, 100 * least));
-    return data;
+    CheckedHydro checked = read_once(database, water, depth);
+    checked.data.notes.insert(
+        checked.data.notes.begin(),
+        fmt::format("{}: the first column is taken for {}: damping and excitation "
+                    "then agree within {:.2g} % (Haskind)",
+                    database.path, is, 100 * least));
+    return checked;
 }
 }  // namespace
 
-HydroData read_hydro(const HydroDatabase& database, const Water& water, double depth) {
+CheckedHydro read_checked_hydro(const HydroDatabase& database, const Water& water, double depth) {
     return database.period_column == PeriodColumn::automatic ? read_either(database, water, depth)
                                                              : read_once(database, water, depth);
+}
+
+HydroData read_hydro(const HydroDatabase& database, const Water& water, double depth) {
+    return accepted(read_checked_hydro(database, water, depth));
 }
 
 HydroData read_hydro(const HydroDatabase& database, const Environment& environment) {

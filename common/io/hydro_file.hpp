@@ -6,6 +6,7 @@
 
 #include "case/environment.hpp"
 #include "case/platform.hpp"
+#include "hydro_checks.hpp"
 #include "hydro_data.hpp"
 #include "io/wamit_records.hpp"
 #include "status.hpp"
@@ -24,6 +25,20 @@ class HydroFileError : public RunError {
     std::vector<FileProblem> problems_;
 };
 
+/// A check with the file that it is about, and the line, if one tells more than others.
+struct PlacedCheck {
+    HydroCheck check;
+    std::string file;
+    int line = 0;
+};
+
+/// A set that could be read, whatever its checks say.
+struct CheckedHydro {
+    HydroData data;
+    std::vector<PlacedCheck> checks;
+    std::vector<std::string> files;  ///< that were read, as far as they are apart
+};
+
 /// Reads the set that `database` names. WAMIT's numbers become dimensional with rho, L = ulen and
 /// g,
 ///
@@ -39,7 +54,10 @@ class HydroFileError : public RunError {
 /// @param depth  of the water [m]; 0: not known, unless the files tell it; infinity: deep
 /// Throws HydroFileError.
 HydroData read_hydro(const HydroDatabase& database, const Water& water, double depth = 0.0);
-/// The same with the water and depth of a case.
+/// The same, with all checks instead of a throw where one says wrong.
+CheckedHydro read_checked_hydro(const HydroDatabase& database, const Water& water,
+                                double depth = 0.0);
+/// With the water and depth of a case.
 HydroData read_hydro(const HydroDatabase& database, const Environment& environment);
 
 }  // namespace hawser::io

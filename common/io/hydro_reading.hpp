@@ -31,12 +31,21 @@ struct Reading {
     [[nodiscard]] double power_of_length(int n) const { return std::pow(database.ulen, n); }
 };
 
+/// Which line of a file tells of a frequency and a mode.
+struct RowPlace {
+    double frequency = 0.0;
+    int mode = 0, line = 0;
+};
+
 /// A set as its files tell it: dimensional, e^{+i w t}, moments about the files' own origin,
 /// headings as listed.
 struct HydroSet {
     HydroData data;
     std::optional<Mat6> stiffness;  ///< C with whatever weight it holds
     Path radiation_file, excitation_file, stiffness_file;
+    Path drift_file, second_order_file;  ///< empty: the file of the excitation
+    std::vector<RowPlace> radiation_rows, excitation_rows;  ///< of files of text
+    std::vector<std::string> files;                         ///< that were read
 };
 
 /// 1 for roll, pitch and yaw, 0 for the translations.

@@ -40,6 +40,8 @@ class NemohSet {
         radiation();
         excitation();
         hydrostatics();
+        for (const Path& path : {set_.radiation_file, set_.excitation_file, set_.stiffness_file})
+            if (std::filesystem::exists(path)) set_.files.push_back(path.string());
         return std::move(set_);
     }
 
@@ -180,6 +182,7 @@ class NemohSet {
                 }
                 const std::size_t f = place_of_frequency(data.frequencies, frequency(column, x[0]));
                 if (f >= data.frequencies.size()) continue;
+                set_.radiation_rows.push_back({data.frequencies[f], static_cast<int>(j), line});
                 for (std::size_t i = 0; i < 6; ++i) {
                     const std::size_t at = 1 + 2 * (first + i);
                     data.added_mass[f](static_cast<int>(i), static_cast<int>(j)) = x[at];
@@ -216,6 +219,8 @@ class NemohSet {
                     const double size = x[1 + 2 * (first + i)], phase = x[2 + 2 * (first + i)];
                     rows.push_back({line, frequency(column, x[0]), beta[0], static_cast<int>(i),
                                     std::polar(size, -phase)});
+                    set_.excitation_rows.push_back(
+                        {rows.back().frequency, static_cast<int>(i), line});
                 }
             }
         }

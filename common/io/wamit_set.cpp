@@ -29,6 +29,10 @@ class WamitSet {
         set_.data.difference = second_order({".12d", ".11d", ".10d"}, true);
         set_.data.sum = second_order({".12s", ".11s", ".10s"}, false);
         hydrostatics();
+        for (const char* ending : {".1", ".2", ".3", ".3fk", ".3sc", ".4", ".7", ".8", ".9", ".12d",
+                                   ".11d", ".10d", ".12s", ".11s", ".10s", ".hst"})
+            if (std::filesystem::exists(r_.file(ending)))
+                set_.files.push_back(r_.file(ending).string());
         if (others_)
             r_.notes.push_back(
                 fmt::format("{}: body {} of several is read; forces on it from the motion of the "
@@ -143,6 +147,7 @@ class WamitSet {
             } else {
                 const double w = frequency(per);
                 const std::size_t at = place_of_frequency(data.frequencies, w);
+                if (i == j) set_.radiation_rows.push_back({w, i, record.line});
                 A[at].set(i, j, added);
                 B[at].set(i, j, scale * w * record.numbers[4]);
             }
@@ -169,7 +174,12 @@ class WamitSet {
             if (i < 0 || w <= 0.0) continue;
             rows.push_back({record.line, w, x[1], i, scale(*this, i) * turned({x[5], x[6]})});
         }
-        if (std::string(extension) == ".3" || std::string(extension) == ".2") periods(rows, file);
+        if (std::string(extension) == ".3" || std::string(extension) == ".2") {
+            periods(rows, file);
+            set_.excitation_rows.clear();
+            for (const WaveRow& row : rows)
+                set_.excitation_rows.push_back({row.frequency, row.mode, row.line});
+        }
         return table_of(rows, file, r_.problems);
     }
 
@@ -193,39 +203,51 @@ class WamitSet {
 
     /// .3, else .2 (Haskind); in still water neither is needed.
     void excitation() {
-        set_.data.excitation = waves(".3", exciting_force);
         set_.data.haskind = waves(".2", exciting_force);
+        const std::vector<RowPlace> of_haskind = set_.excitation_rows;
+        set_.data.excitation = waves(".3", exciting_force);
         set_.excitation_file = r_.file(".3");
         if (std::filesystem::exists(set_.excitation_file) || set_.data.haskind.empty()) return;
         set_.excitation_file = r_.file(".2");
+        set_.excitation_rows = of_haskind;
         std::swap(set_.data.excitation, set_.data.haskind);
         r_.notes.push_back(fmt::format("{}: excitation is taken from it, there is no .3",
                                        set_.excitation_file.string()));
     }
 
-    /// .8, else .9, else .7: PER BETA1 BETA2 I mod phase Re Im, rows with BETA1 = BETA2.
+    /// .8, .9, .7: PER BETA1 BETA2 I mod phase Re Im, rows with BETA1 = BETA2. The first of them
+    /// that is there acts, the others are for comparison.
     void drift() {
-        Path file;
-        for (const char* extension : {".8", ".9", ".7"})
-            if (file.empty() && std::filesystem::exists(r_.file(extension)))
-                file = r_.file(extension);
-        if (file.empty()) return;
-        std::vector<WaveRow> rows;
-        for (const Record& record : read_records(file, 8, r_.problems)) {
-            const auto& x = record.numbers;
-            if (x[3] < 0.0 || std::remainder(x[1] - x[2], 360.0) != 0.0) continue;
-            const int i = mode_of(x[3], file, record.line);
-            const double w = frequency_of(x[0], file, record.line);
-            if (i < 0 || w <= 0.0) continue;
-            rows.push_back({record.line, w, x[1], i, second_order_force(*this, i) * x[6]});
+        HydroData& data = set_.data;
+        for (const auto& [extension, method] : {std::pair{".8", DriftMethod::momentum},
+                                                {".9", DriftMethod::pressure},
+                                                {".7", DriftMethod::control_surface}}) {
+            const Path file = r_.file(extension);
+            if (!std::filesystem::exists(file)) continue;
+            std::vector<WaveRow> rows;
+            for (const Record& record : read_records(file, 8, r_.problems)) {
+                const auto& x = record.numbers;
+                if (x[3] < 0.0 || std::remainder(x[1] - x[2], 360.0) != 0.0) continue;
+                const int i = mode_of(x[3], file, record.line);
+                const double w = frequency_of(x[0], file, record.line);
+                if (i < 0 || w <= 0.0) continue;
+                rows.push_back({record.line, w, x[1], i, second_order_force(*this, i) * x[6]});
+            }
+            WaveTable<Vec6> table = real_part(table_of(rows, file, r_.problems));
+            if (!data.mean_drift.empty()) {
+                data.other_drift.push_back({method, std::move(table)});
+                continue;
+            }
+            data.mean_drift = std::move(table);
+            set_.drift_file = file;
+            data.drift_method = method;
+            data.drift_is_horizontal = method == DriftMethod::momentum;
+            if (data.drift_is_horizontal)
+                r_.notes.push_back(
+                    fmt::format("{}: from momentum, so the mean drift of heave, roll and pitch is "
+                                "zero",
+                                file.string()));
         }
-        set_.data.mean_drift = real_part(table_of(rows, file, r_.problems));
-        set_.data.drift_is_horizontal = file.extension() == ".8";
-        if (set_.data.drift_is_horizontal)
-            r_.notes.push_back(
-                fmt::format("{}: from momentum, so the mean drift of heave, roll and "
-                            "pitch is zero",
-                            file.string()));
     }
 
     /// The first of the files that is there: PER1 PER2 BETA1 BETA2 I mod phase Re Im.
@@ -233,6 +255,7 @@ class WamitSet {
         for (const char* extension : extensions) {
             const Path file = r_.file(extension);
             if (!std::filesystem::exists(file)) continue;
+            if (set_.second_order_file.empty()) set_.second_order_file = file;
             std::vector<QtfRow> rows;
             for (const Record& record : read_records(file, 9, r_.problems)) {
                 const auto& x = record.numbers;

@@ -541,7 +541,7 @@ class Checks {
         }
         for (const auto& [i, j] : {std::pair{0, 4}, {1, 3}, {0, 2}, {2, 4}, {1, 5}, {3, 5}}) {
             const Misfit m = misfit(d_, *haskind_, depth, i, j, true);
-            if (!m.known || m.size < 1e-9 || haskind_->by_one_heading) continue;
+            if (!m.known || haskind_->by_one_heading || !couples(i, j)) continue;
             if (most[i] < 0.1 * scale[i] || most[j] < 0.1 * scale[j]) continue;
             const Verdict verdict = another_depth_ ? Verdict::remark : judged(m.size, 0.1, 0.5);
             place(
@@ -559,6 +559,18 @@ class Checks {
                     m.size),
                 verdict == Verdict::fine ? 0.0 : m.frequency, i);
         }
+    }
+
+    /// Does one of two motions push the hull in the other, by damping or by the excitation?
+    [[nodiscard]] bool couples(int i, int j) const {
+        for (std::size_t n = 0; n < haskind_->at.size(); ++n) {
+            const Mat6& B = d_.damping[haskind_->at[n]];
+            const CMat6& X = haskind_->integral[n];
+            if (std::abs(B(i, j)) > 1e-4 * std::sqrt(std::abs(B(i, i) * B(j, j))) ||
+                std::abs(X(i, j)) > 1e-4 * std::sqrt(std::abs(X(i, i) * X(j, j))))
+                return true;
+        }
+        return false;
     }
 
     void short_waves(int mode) {

@@ -409,6 +409,8 @@ CaseFile read_case(const fs::path& path, const Overrides& overrides) {
     result.notes = std::move(first.notes);
     result.problems = std::move(first.problems);
     result.sources = std::move(sources);
+    result.file = std::move(first.file);
+    result.places = std::move(first.places);
     return result;
 }
 

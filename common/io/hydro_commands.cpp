@@ -55,12 +55,12 @@ int hydro_convert_command(const HydroRequest& request, const std::string& stem, 
     for (const auto& [check, file, line] : found.checks)
         if (check.verdict == HydroCheck::Verdict::doubtful ||
             check.verdict == HydroCheck::Verdict::wrong)
-            fmt::print(stderr, "{}: {}{}\n",
+            fmt::print(stderr, "{}: {}: {}\n",
                        check.verdict == HydroCheck::Verdict::wrong ? "error" : "warning",
-                       line > 0 ? fmt::format("{}:{}: ", file, line) : file + ": ", check.sentence);
+                       line > 0 ? fmt::format("{}:{}", file, line) : file, check.sentence);
     if (quiet) return static_cast<int>(ExitCode::done);
     std::string names;
-    for (const fs::path& file : files) names += " " + file.string();
+    for (const fs::path& file : files) names.append(" ").append(file.string());
     fmt::print("from {}:{}\n", data.source, names);
     fmt::print("rho {:g} kg/m3, ULEN 1 m, about the reference point, without weight\n",
                data.density);

@@ -8,6 +8,7 @@
 
 #include "hydro_relations.hpp"
 #include "io/text_table.hpp"
+#include "io/wave_rows.hpp"
 #include "motion_names.hpp"
 
 namespace hawser::io {
@@ -234,6 +235,26 @@ Json qtf(const Qtf& q) {
 }
 }  // namespace
 
+namespace {
+/// Excitation is the mirror image of itself, as far as there are headings to compare.
+bool mirrors(const WaveTable<CVec6>& table, bool about_xz) {
+    const CVec6 sign = mirror_sign(about_xz).cast<Complex>();
+    for (const auto& h : table.headings)
+        for (const auto& image : table.headings) {
+            const double b = about_xz ? -h.heading : M_PI - h.heading;
+            if (std::abs(std::remainder(b - image.heading, 2 * M_PI)) > 1e-6) continue;
+            double off = 0.0, all = 0.0;
+            for (std::size_t f = 0; f < table.frequencies.size(); ++f) {
+                const CVec6 X = h.values[f].cwiseProduct(sign);
+                off += (X - image.values[f]).head<3>().norm();
+                all += X.head<3>().norm();
+            }
+            if (off > 0.01 * all) return false;
+        }
+    return true;
+}
+}  // namespace
+
 std::string symmetry_shown(const HydroData& d) {
     // Terms that couple what a plane keeps apart, against the size of what they couple.
     Vec6 most = Vec6::Zero();
@@ -245,7 +266,8 @@ std::string symmetry_shown(const HydroData& d) {
                     if (std::abs(A(i, j)) > 0.01 * std::sqrt(most[i] * most[j])) return true;
         return false;
     };
-    const bool xz = !couples({0, 2, 4}, {1, 3, 5}), yz = !couples({0, 4, 5}, {1, 2, 3});
+    const bool xz = !couples({0, 2, 4}, {1, 3, 5}) && mirrors(d.excitation, true);
+    const bool yz = !couples({0, 4, 5}, {1, 2, 3}) && mirrors(d.excitation, false);
     bool round = xz && yz;
     for (const Mat6& A : d.added_mass)
         round = round && std::abs(A(0, 0) - A(1, 1)) < 0.01 * most[0] &&

@@ -43,7 +43,7 @@ struct HydroSet {
     HydroData data;
     std::optional<Mat6> stiffness;  ///< C with whatever weight it holds
     Path radiation_file, excitation_file, stiffness_file;
-    Path drift_file, second_order_file;  ///< empty: the file of the excitation
+    Path drift_file, second_order_file;                     ///< empty: the file of the excitation
     std::vector<RowPlace> radiation_rows, excitation_rows;  ///< of files of text
     std::vector<std::string> files;                         ///< that were read
 };

@@ -18,9 +18,10 @@ void adjust(Case& input, int index, double value) {
     if (line.target.adjust == StaticTarget::Adjust::anchor_radius) {
         Vec3& b = line.end_b.position;
         const double before = std::hypot(b.x(), b.y());
+        const double above = b.z() - input.environment.seabed.height(b.x(), b.y());
         b.x() *= value / before, b.y() *= value / before;
         if (line.end_b.kind == EndKind::anchor)
-            b.z() = input.environment.seabed.height(b.x(), b.y());
+            b.z() = input.environment.seabed.height(b.x(), b.y()) + above;
         return;
     }
     double end = 0.0;

@@ -49,7 +49,11 @@ Case without_lines(const Case& input, const std::string& glob) {
 StaticsReport find_statics(const Case& input, const StaticsRequest& request) {
     using namespace master;
     StaticsReport report;
-    if (!request.offsets.empty()) lines_called(request.lines, input);  // a wrong name at once
+    if (!request.offsets.empty()) {
+        if (input.lines.empty())
+            throw RunError(ExitCode::input, "--offset: there are no lines in this case to pull");
+        lines_called(request.lines, input);  // a wrong name at once
+    }
     const auto describe = [&](const Status& s, const PlatformMotion& pose) {
         return failure_message(s, input, 0, pose);
     };

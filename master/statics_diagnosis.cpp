@@ -36,12 +36,8 @@ std::optional<std::string> unreasonable_stiffness(const Line& line, const Case& 
         if (EA < 2.0 * weight)
             return fmt::format(
                 "EA = {:.3g} N of {}: under the line's own weight of {:.3g} N the strain at its "
-                "top "
-                "would be a half",
-                EA, type.name, weight);
-        if (EA > 1e10 * weight)  // the stretch is lost in the rounding of positions
-            return fmt::format("EA = {:.3g} N of {}, {:.0e} times the line's weight", EA, type.name,
-                               EA / weight);
+                "top would be {:.2g}",
+                EA, type.name, weight, weight / EA);
         const double straight = std::cbrt(type.EI * line.length() / weight);  // (EI/w)^(1/3)
         if (straight > line.length())
             return fmt::format(

@@ -18,11 +18,11 @@ const Table& statics_keys() {
                 "ramped")
             .def("[current, wind_mean, drift_mean]");
         k.number("tolerance", &Statics::tolerance, dimension::number,
-                 "Relative tolerance of the equilibrium")
+                 "Relative tolerance of the platform's equilibrium; lines are always solved to 1e-9 m")
             .def("1.0e-6")
             .above(0)
             .at_most(0.01);
-        k.integer("max_iterations", &Statics::max_iterations, "Limit of Newton iterations")
+        k.integer("max_iterations", &Statics::max_iterations, "Limit of Newton iterations for the platform")
             .def("200")
             .at_least(1);
         k.only("start", "catenary", {"file"}, "First guess of the lines' shapes");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "bed_contact.hpp"
 #include "case/build_constraints.hpp"
 #include "case/declared.hpp"
 #include "case/line_type_rules.hpp"
@@ -103,6 +104,7 @@ class Build {
         }
         for (std::size_t i = 0; i < keys.sections.size(); ++i)
             section(keys.sections[i], i, path, line);
+        lay_on_bed(line);
         line.model = keys.model;
         line.sheltered_above = keys.sheltered_above;
         line.internal_pressure = keys.internal_pressure;
@@ -116,6 +118,19 @@ class Build {
             attachment(keys.attachments[i], fmt::format("{}.attachments[{}]", path, i), line);
         }
         value_.lines.push_back(std::move(line));
+    }
+
+    /// An anchor holds a line where it lies at rest, its axis above the bed.
+    void lay_on_bed(Line& line) const {
+        const auto lay = [&](LineEnd& end, int type) {
+            if (end.kind == EndKind::anchor && type >= 0)
+                end.position.z() += resting_height(
+                    value_.line_types[static_cast<std::size_t>(type)], value_.environment);
+        };
+        if (line.sections.empty()) return;
+        const Section& last = line.sections.back();
+        lay(line.end_a, line.sections.front().type);
+        lay(line.end_b, last.type_at_end < 0 ? last.type : last.type_at_end);
     }
 
     /// A free end A is held by what stands among the constraints.

@@ -23,6 +23,7 @@ class Checks {
         : case_(c), declared_(declared), problems_(problems) {}
 
     void run() {
+        water();
         check_waves(case_, problems_);
         if (case_.platform) platform(*case_.platform);
         for (const LineType& type : case_.line_types) line_type(type);
@@ -39,6 +40,20 @@ class Checks {
     }
     void warning(const std::string& path, const std::string& message) {
         problems_.push_back({Severity::warning, path, message, {}});
+    }
+
+    /// Units that were mistaken: t/m3, ft/s2.
+    void water() {
+        const Water& water = case_.environment.water;
+        if (water.density < 900.0 || water.density > 1300.0)
+            warning(
+                "environment.water.density",
+                fmt::format("{:.6g} kg/m3 is no water: fresh is 1000, the sea 1020 to 1030 kg/m3",
+                            water.density));
+        if (water.gravity < 9.7 || water.gravity > 9.9)
+            warning(
+                "environment.water.gravity",
+                fmt::format("{:.6g} m/s2 is not found on earth: 9.78 to 9.83 m/s2", water.gravity));
     }
 
     void platform(const Platform& p) {
@@ -91,6 +106,13 @@ class Checks {
         if (submerged <= 0.0) {
             warning(path, fmt::format("floats: submerged weight {:.4g} N/m", submerged));
         }
+        // EA/w is the length whose weight stretches it by half: 2.6e6 m of steel
+        const double stiff = type.EA / (type.mass * case_.environment.water.gravity);
+        if (type.mass > 0.0 && stiff > 1e13)
+            error(path,
+                  fmt::format("EA = {:.3g} N carries the weight of {:.1g} m of it: its stretch "
+                              "is lost in the rounding of positions; steel has 2.6e6 m",
+                              type.EA, stiff));
         const double d = type.outer_diameter;
         if (type.category == "chain") {
             const double ratio = std::sqrt(4.0 * type.displaced_area / pi) / d;

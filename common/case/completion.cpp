@@ -15,6 +15,7 @@ namespace hawser {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double default_elements = 50.0;  // of a line
 
 class Completion {
  public:
@@ -259,7 +260,7 @@ class Completion {
                 s.elements = n >= 1.0 && n < 1e6 ? static_cast<int>(n) : 1;
                 s.element_length.reset();
             } else if (!s.elements) {
-                const double n = std::round(20.0 * s.length / length);
+                const double n = std::round(default_elements * s.length / length);
                 s.elements = n >= 2.0 ? static_cast<int>(n) : 2;
             }
         }

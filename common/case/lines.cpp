@@ -161,7 +161,7 @@ const Table& section_keys() {
             .above(0)
             .eg("91 m");
         k.integer("elements", &SectionKeys::elements, "Number of elements")
-            .follows("20 a line, shared by length, at least 2 a section")
+            .follows("50 a line, shared by length, at least 2 a section")
             .at_least(1)
             .at_most(100000)
             .eg("6");

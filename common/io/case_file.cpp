@@ -363,7 +363,8 @@ CaseFile read_case(const fs::path& path, const Overrides& overrides) {
         tidy(problems);
         throw InputError(std::move(problems));
     }
-    if (root.find("format") != nullptr && !starts_with_format(*text)) {
+    const Node* format = root.find("format");  // of the file itself, or of its base
+    if (format != nullptr && format->place.file == root.place.file && !starts_with_format(*text)) {
         problems.push_back(problem_at(root.find("format")->place, "format",
                                       "is not the first key of the case", Severity::warning));
     }

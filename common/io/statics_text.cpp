@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "environment/weather_words.hpp"
@@ -14,6 +15,12 @@
 
 namespace hawser::io {
 namespace {
+
+/// Of the first section; without bound where the case gives none [N].
+double breaking_load_at_top(const Line& line, const Case& input) {
+    const LineType& first = input.line_types[static_cast<std::size_t>(line.sections.front().type)];
+    return first.breaking_load.value_or(std::numeric_limits<double>::infinity());
+}
 
 constexpr double degrees = 180.0 / M_PI;
 
@@ -265,6 +272,7 @@ std::string curve_text(const Case& input, const OffsetCurve& curve) {
     table.column("line");
     table.column("greatest", "kN");
     table.column("line");
+    bool broken = false;
     for (const OffsetPoint& p : curve.points) {
         std::vector<std::string> cells{number(p.offset, 2), number(p.restoring / 1e3, 1),
                                        number(p.slope / 1e3, 1)};
@@ -278,11 +286,15 @@ std::string curve_text(const Case& input, const OffsetCurve& curve) {
         if (!f.yaw) cells.push_back(number(p.yaw_moment / 1e3, 0));
         cells.push_back(number(p.least / 1e3, 1));
         cells.push_back(input.lines[static_cast<std::size_t>(p.least_line)].name);
+        const Line& greatest = input.lines[static_cast<std::size_t>(p.greatest_line)];
+        const bool breaks = p.greatest > breaking_load_at_top(greatest, input);
+        broken = broken || breaks;
         cells.push_back(number(p.greatest / 1e3, 1));
-        cells.push_back(input.lines[static_cast<std::size_t>(p.greatest_line)].name);
+        cells.push_back(greatest.name + (breaks ? " !" : ""));
         table.row(std::move(cells));
     }
     return out + table.text() +
+           (broken ? "!: above the breaking load of the line's first section\n" : "") +
            "restoring: what holds the platform there pulls as much, at its reference point. "
            "slope: with the free motions following.\ntensions are those at end A\n";
 }

@@ -172,6 +172,10 @@ std::string courses_text(const RunRecord& record, const ResultDigest& digest) {
         out += fmt::format("{:<{}}{}{}{}{}{}\n", names[i], name, place(least, 1e-3),
                            place(greatest, 1e-3), place(stress, 1e-6),
                            cell(of_breaking.value, 9, 3), cell(of_yield.value, 9, 3));
+        const Line& line = input.lines[i];
+        if (line.fail && line.fail->time <= digest.last_time)
+            flags.push_back(fmt::format("{}: parted at {:g} s at {:.1f} m, as the case says",
+                                        names[i], line.fail->time, line.fail->arc_length));
         if (of_breaking.value > 1.0)
             flags.push_back(fmt::format("{}: above its breaking load at {:.1f} m, t = {:g} s",
                                         names[i], of_breaking.arc_length, of_breaking.time));

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "bed_contact.hpp"
 #include "io/case_file.hpp"
 
 namespace hawser::io {
@@ -148,7 +149,24 @@ TEST(CaseFile, AnchorsLieOnASlopingBed) {
     const Case c = read(chain, {{"environment.seabed.slope", "{angle: 2, direction: 90}"},
                                 {"lines.chain.end_b.anchor.position", "[0, 1000]"},
                                 {"lines.chain.sections[0].length", "1010 m"}});
-    EXPECT_NEAR(c.lines[0].end_b.position.z(), -100 + 1000 * std::tan(2 * M_PI / 180), 1e-9);
+    const double bed = -100 + 1000 * std::tan(2 * M_PI / 180);
+    EXPECT_NEAR(c.lines[0].end_b.position.z(), bed + resting_height(c.line_types[0], c.environment),
+                1e-9);
+}
+
+TEST(CaseFile, AnAnchorHoldsItsLineWhereItRests) {
+    LineType pipe;
+    pipe.mass = 200, pipe.displaced_area = 0.1, pipe.outer_diameter = 0.36;
+    Environment sea;
+    sea.seabed.normal_stiffness = 100e3;
+    const double w = (200 - 102.5) * 9.80665;  // sinks in by less than d0 = 25 mm
+    EXPECT_NEAR(resting_height(pipe, sea), 0.18 - std::sqrt(2 * 0.025 * w / 100e3), 1e-12);
+    pipe.mass = 1000;  // by more
+    EXPECT_NEAR(resting_height(pipe, sea), 0.18 - (897.5 * 9.80665 / 100e3 + 0.0125), 1e-12);
+    pipe.mass = 50;  // floats: touches
+    EXPECT_NEAR(resting_height(pipe, sea), 0.18, 1e-12);
+    sea.seabed.slope_angle = 0.2;
+    EXPECT_NEAR(resting_height(pipe, sea), 0.18 / std::cos(0.2), 1e-12);
 }
 
 TEST(CaseFile, ResolvedTextIsCompleteButForAuto) {
@@ -245,7 +263,9 @@ TEST(TrussSpar, TwelveLinesStandInThreeGroups) {
         EXPECT_EQ(l.family, "mooring");
         const double a = expected[i] * deg;
         EXPECT_NEAR((l.end_a.position - Vec3(20.5 * cos(a), 20.5 * sin(a), -60)).norm(), 0, 1e-9);
-        EXPECT_NEAR((l.end_b.position - Vec3(2068 * cos(a), 2068 * sin(a), -1500)).norm(), 0, 1e-9);
+        const LineType& last = c.line_types[static_cast<std::size_t>(l.sections.back().type)];
+        const double z = -1500 + resting_height(last, c.environment);
+        EXPECT_NEAR((l.end_b.position - Vec3(2068 * cos(a), 2068 * sin(a), z)).norm(), 0, 1e-9);
         EXPECT_EQ(l.end_a.kind, EndKind::platform);
         EXPECT_EQ(l.end_b.kind, EndKind::anchor);
         EXPECT_EQ(l.attachments[0].arc_length, 91.0);
@@ -413,7 +433,7 @@ TEST(CaseFile, FamiliesExpand) {
     EXPECT_EQ(t2.end_b.position, Vec3(-4, 4, -295));
     EXPECT_EQ(t2.end_b.kind, EndKind::fixed);
     EXPECT_EQ(*t2.end_a.direction, Vec3(0, 0, -1));
-    EXPECT_EQ(t2.sections[0].elements, 20);             // without a count: 20 elements a line
+    EXPECT_EQ(t2.sections[0].elements, 50);             // without a count: 50 elements a line
     EXPECT_EQ(line(c, "m3").sections[0].elements, 20);  // 500 m in elements of 25 m
     EXPECT_FALSE(line(c, "r1").end_a.direction);        // static
     EXPECT_EQ(*line(c, "r1").time_step, 0.01);

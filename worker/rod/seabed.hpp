@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bed_contact.hpp"
 #include "case/environment.hpp"
 #include "rod/state.hpp"
 #include "vector.hpp"
@@ -22,8 +23,6 @@ struct Bed {
 
     [[nodiscard]] bool rubs() const { return friction_axial > 0.0 || friction_lateral > 0.0; }
 };
-inline constexpr double bed_smoothing = 0.025;  ///< d0 of R:33 [m]
-
 Bed bed_of(const Seabed& seabed);
 
 /// R:33  N = k pen^2/(2 d0), then k (pen - d0/2); damper through the contact fraction, never

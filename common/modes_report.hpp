@@ -20,6 +20,7 @@ struct CoupledMode {
     double share = 0.0;           ///< of the kinetic energy that is in that motion
     double line_inertia = 0.0;    ///< share of the kinetic energy that is in the lines
     double line_stiffness = 0.0;  ///< share of the elastic energy that is in the lines
+    bool held = false;            ///< by the case: it has no period
     bool converged = true;        ///< false: lines with static stiffness, without inertia
     [[nodiscard]] std::optional<double> period() const {  ///< [s]
         if (omega_squared > 0.0) return 2.0 * M_PI / std::sqrt(omega_squared);

@@ -82,10 +82,15 @@ Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
     Equilibrium at{.pose = start, .lines = {}};
     at.lines = lines_at(lines, start, current, describe);
     for (;; ++at.iterations) {
-        const Vec6 r = platform.free * (platform.load(at.pose) + total_wrench(at.lines));
+        const Mat6 free =
+            any(platform.held) ? free_projection(at.pose.angles, platform.held) : platform.free;
+        const auto moved_by = [&](const Vec6& step_taken) {
+            return with_held(displaced(at.pose, step_taken), start, platform.held);
+        };
+        const Vec6 r = free * (platform.load(at.pose) + total_wrench(at.lines));
         Mat6 K = platform.stiffness(at.pose);
         for (const LineLoad& line : at.lines.lines) K += line.stiffness;
-        K = platform.free * K * platform.free;
+        K = free * K * free;
         const NewtonStep step = newton_step(K, r, platform.length);
         at.force = r.head<3>().norm();
         at.moment = r.tail<3>().norm();
@@ -98,11 +103,11 @@ Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
             fail(platform, at, r, step);
 
         Vec6 dX = limited(step.dX, limits);
-        PlatformMotion moved = displaced(at.pose, dX);
+        PlatformMotion moved = moved_by(dX);
         const Reply* reply = &ask(lines, moved, current);
         for (int half = 0; !reply->status.ok() && half < most_halvings; ++half) {
             dX /= 2;
-            moved = displaced(at.pose, dX);
+            moved = moved_by(dX);
             reply = &ask(lines, moved, current);
         }
         if (!reply->status.ok())

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "held_motions.hpp"
 #include "lines.hpp"
 
 namespace hawser::master {
@@ -20,6 +21,8 @@ struct StaticPlatform {
         1.0;  ///< lever arm that makes its rotations lengths, e.g. radius of gyration [m]
     /// Orthogonal projection of (displacement, rotation vector) on what may move; the rest is held
     Mat6 free = Mat6::Identity();
+    /// Motions that stay where the start has them, K:20; `free` must be the identity with them.
+    Held held{};
 };
 
 struct NewtonLimits {

@@ -32,7 +32,7 @@ ModesReport find_modes(const Case& input, const ModesRequest& request) {
             hydro = io::read_hydro(*database, input.environment);
         Hull hull(input, hydro ? &*hydro : nullptr);
         Case at_rest = input;
-        at_rest.platform->initial = PlatformMotion{};
+        leave_out_initial(*at_rest.platform);
         const StaticStart start = static_start(at_rest, hull, *lines);
         report.warnings = start.notes;
         report.platform = input.platform->name;

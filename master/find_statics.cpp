@@ -70,7 +70,7 @@ StaticsReport find_statics(const Case& input, const StaticsRequest& request) {
             hydro = io::read_hydro(*database, input.environment);
         Hull hull(input, hydro ? &*hydro : nullptr);
         Case at_rest = input;
-        at_rest.platform->initial = PlatformMotion{};
+        leave_out_initial(*at_rest.platform);
         const StaticStart start = static_start(at_rest, hull, *lines);
         report.warnings = start.notes;
         PlatformAtRest& p = report.platform.emplace();

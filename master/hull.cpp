@@ -8,6 +8,7 @@
 
 #include "status.hpp"
 #include "user_damping.hpp"
+#include "user_stiffness.hpp"
 #include "wave_phases.hpp"
 
 namespace hawser::master {
@@ -68,6 +69,11 @@ Vec6 to_world(const Mat3& R, const Vec6& v) {
     return out;
 }
 
+/// The pose alone.
+PlatformMotion at_rest(const PlatformMotion& m) {
+    return {.position = m.position, .angles = m.angles};
+}
+
 const Platform& platform_of(const Case& c) {
     if (!c.platform) throw RunError(ExitCode::bug, "a hull was asked for in a case without one");
     return *c.platform;
@@ -86,6 +92,13 @@ Hull::Hull(const Case& c, const HydroData* data)
       wind_(c.environment.wind, c.platform->wind, ramp_),
       linear_damping_(c.platform->linear_damping),
       quadratic_damping_(c.platform->quadratic_damping),
+      stiffness_(c.platform->stiffness),
+      stiffness_acts_(!stiffness_.isZero(0.0)),
+      stiffness_turns_(c.platform->stiffness_turns),
+      current_load_(c.platform->current_coefficients, c.environment.water.density),
+      forces_(c.platform->forces, ramp_),
+      held_(c.platform->held()),
+      place_{.position = c.platform->initial.position, .angles = c.platform->initial.angles},
       phases_(sea_.components().size()),
       slow_phases_(sea_.components().size()) {
     const Platform& p = *c.platform;
@@ -101,6 +114,7 @@ Hull::Hull(const Case& c, const HydroData* data)
         else
             fitted_ = FittedMemory(fit_memory(*data, infinite_, D, h.memory->order));
     }
+    if (p.prescribed) path_.emplace(*p.prescribed, ramp_);
     body_.centre_of_gravity = p.centre_of_gravity;
     if (p.inertia)
         body_.inertia = *p.inertia;
@@ -181,13 +195,17 @@ HullLoads Hull::loads(double t, const State& s) const {
     loads[Load::hydrostatic] += members.buoyancy;
     loads[Load::members] = members.rest;
     loads[Load::plates] = plates.rest;
-    loads[Load::current] = members.current + plates.current;
+    loads[Load::current] =
+        members.current + plates.current + current_load_.load(sea_, current_factor, m, R, w);
     loads.member_added_mass = members.added_mass;
     loads.plate_added_mass = plates.added_mass;
 
     loads[Load::wind] =
-        wind_.load(t, m, R, w) - (1.0 - mean_factor(statics_.wind_mean, r)) * wind_.mean_load(R);
+        wind_.load(t, m, R, w) - (1.0 - mean_factor(statics_.wind_mean, r)) * wind_.mean_load(m, R);
     loads[Load::damping] = user_damping_load(linear_damping_, quadratic_damping_, m, w);
+    if (stiffness_acts_)
+        loads[Load::stiffness] = user_stiffness_load(stiffness_, stiffness_turns_, m);
+    loads[Load::forces] = forces_.load(t, R);
     return loads;
 }
 
@@ -223,7 +241,17 @@ State Hull::rate(double t, const State& s, HullLoads& loads, const Vec6& lines,
     const Vec6 force = loads.total() - gyroscopic_load(body, w);
     const Mat6 virtual_mass =
         mass_matrix(body) + A_w + loads.member_added_mass + loads.plate_added_mass;
-    const Vec6 a = virtual_mass.partialPivLu().solve(force);  // K:4: (x_O'', w')
+    const bool holds = any(held_);
+    HeldSolution solved;
+    if (holds) {
+        const PlatformAcceleration led = held_at(t).acceleration;
+        Vec6 given;
+        given << led.position, led.angles;
+        solved = solve_held(virtual_mass, force, m, held_, given);  // K:20
+        loads[Load::holding] = solved.holding;
+    }
+    const Vec6 a = holds ? solved.acceleration
+                         : Vec6(virtual_mass.partialPivLu().solve(force));  // K:4: (x_O'', w')
     if (!a.allFinite())
         throw RunError(ExitCode::diverged,
                        fmt::format("{}, t = {:.3f} s: the platform's acceleration is not a finite "
@@ -240,8 +268,9 @@ State Hull::rate(double t, const State& s, HullLoads& loads, const Vec6& lines,
     rate.segment<3>(9) = angular_velocity_matrix(m.angles).partialPivLu().solve(
         Vec3(a.tail<3>() -
              angular_velocity_matrix_rate(m.angles, m.angle_rates) * m.angle_rates));  // K:3
-    add_slow_motion_to(rate, s, cutoff_);                                              // K:8
-    fitted_.add_rates_to(rate.data() + memory_index, memory, to_body(R, velocity));    // K:10
+    if (holds) rate.segment<6>(6) = solved.motions;
+    add_slow_motion_to(rate, s, cutoff_);                                            // K:8
+    fitted_.add_rates_to(rate.data() + memory_index, memory, to_body(R, velocity));  // K:10
     if (acceleration != nullptr) *acceleration = rate.segment<6>(6);
     return rate;
 }
@@ -253,7 +282,10 @@ Vec6 Hull::static_load(const PlatformMotion& pose, const Statics& which) const {
     const MemberLoad members = members_.static_load(sea_, 1.0, pose, R);
     load += members.buoyancy;
     if (which.current) load += members.current + plates_.current_load(sea_, 1.0, pose, R);
-    if (which.wind_mean) load += wind_.mean_load(R);
+    if (which.current) load += current_load_.load(sea_, 1.0, at_rest(pose), R, Vec3::Zero());
+    if (which.wind_mean) load += wind_.mean_load(pose, R);
+    if (stiffness_acts_) load += user_stiffness_load(stiffness_, stiffness_turns_, pose);
+    load += forces_.static_load(R);
     if (which.drift_mean && !mean_drift_.empty()) {
         const WavePosition at{pose.position.x(), pose.position.y(), pose.angles.z()};
         set_wave_phases(sea_.components(), 0.0, at, slow_phases_);
@@ -303,9 +335,20 @@ Mat6 Hull::static_mass(const PlatformMotion& pose, double frequency) const {
            wet.plate_added_mass;
 }
 
+LedMotion Hull::held_at(double t) const {
+    if (path_) return path_->at(t);
+    return {.motion = place_, .acceleration = {}};
+}
+
+State Hull::led(double t, State s) const {
+    if (any(held_)) set_motion(s, with_held(motion_of(s), held_at(t).motion, held_));
+    return s;
+}
+
 State Hull::start(const PlatformMotion& equilibrium, const PlatformMotion& with_initial) const {
     State s = State::Zero();
     set_motion(s, with_initial);
+    s = led(0.0, s);
     rest_slow_motion_at(s, equilibrium);
     return s;
 }

@@ -6,14 +6,18 @@
 #include <string>
 #include <string_view>
 
+#include "applied_force.hpp"
 #include "case/case.hpp"
+#include "current_load.hpp"
 #include "drift.hpp"
 #include "environment/sea.hpp"
 #include "excitation.hpp"
+#include "held_motions.hpp"
 #include "hydrostatics.hpp"
 #include "member_loads.hpp"
 #include "plate_loads.hpp"
 #include "pose.hpp"
+#include "prescribed_motion.hpp"
 #include "radiation.hpp"
 #include "radiation_memory.hpp"
 #include "rigid_body.hpp"
@@ -33,15 +37,18 @@ enum class Load : int {
     weight,
     members,  ///< Morison load of members beside `current`, with the inertia of their added mass
     plates,   ///< heave plates beside `current`, with the inertia of their added mass
-    current,  ///< drag of members and plates at rest in the current alone
+    current,  ///< drag of members and plates at rest in the current alone; current_coefficients
     wind,
-    damping,  ///< the user's
+    damping,    ///< the user's
+    stiffness,  ///< the user's
+    forces,     ///< the user's
+    holding,    ///< what holds or leads motions that do not follow from the loads
     lines,
 };
-constexpr int load_count = 12;
+constexpr int load_count = 15;
 constexpr std::array<std::string_view, load_count> load_names = {
-    "wave1",   "drift",  "wave2",   "radiation", "hydrostatic", "weight",
-    "members", "plates", "current", "wind",      "damping",     "lines"};
+    "wave1",   "drift", "wave2",   "radiation", "hydrostatic", "weight",  "members", "plates",
+    "current", "wind",  "damping", "stiffness", "forces",      "holding", "lines"};
 
 /// Loads about O on world axes [N, N.m] by component, and the added mass that is wet at the moment.
 struct HullLoads {
@@ -86,6 +93,13 @@ class Hull {
     /// Throws RunError (diverged) above 80 deg of pitch or where a number is not finite.
     State rate(double t, const State& state, HullLoads& loads, const Vec6& lines,
                Vec6* acceleration = nullptr) const;
+
+    /// Motions that do not follow from the loads, K:20.
+    [[nodiscard]] const Held& held() const { return held_; }
+    /// Where they are at time t [s]; at rest unless the motion is prescribed.
+    [[nodiscard]] LedMotion held_at(double t) const;
+    /// The state with these motions in their place.
+    [[nodiscard]] State led(double t, State s) const;
 
     /// Mean loads on the platform at rest, lines apart: weight, buoyancy and those of `which`.
     [[nodiscard]] Vec6 static_load(const PlatformMotion& pose, const Statics& which) const;
@@ -143,7 +157,13 @@ class Hull {
     MemberLoads members_;
     PlateLoads plates_;
     WindLoad wind_;
-    Mat6 linear_damping_, quadratic_damping_;
+    Mat6 linear_damping_, quadratic_damping_, stiffness_;
+    bool stiffness_acts_, stiffness_turns_;
+    CurrentLoad current_load_;
+    AppliedForces forces_;
+    Held held_;
+    PlatformMotion place_;  ///< of held motions
+    std::optional<PrescribedPath> path_;
     mutable std::vector<Complex> phases_, slow_phases_;  ///< workspaces of one call
 };
 

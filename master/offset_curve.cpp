@@ -77,6 +77,11 @@ OffsetCurve empty_curve(const Case& input, const StaticsRequest& request) {
     curve.lines = lines_called(request.lines, input);
     const bool all = curve.lines.size() == input.lines.size();
     curve.free = request.free.value_or(FreeMotions{.heave = all});
+    const Held held = input.platform->held();
+    curve.free.heave = curve.free.heave && !held[2];
+    curve.free.roll = curve.free.roll && !held[3];
+    curve.free.pitch = curve.free.pitch && !held[4];
+    curve.free.yaw = curve.free.yaw && !held[5];
     return curve;
 }
 
@@ -88,6 +93,7 @@ OffsetCurve offset_curve(const Case& input, const StaticsRequest& request, const
     const Axes axes(curve.heading, curve.free);
     StaticPlatform body = platform_at_rest(input, hull, still_water);
     body.free = axes.free * axes.free.transpose();
+    body.held = {};
     const NewtonLimits limits{.tolerance = input.analysis.statics.tolerance,
                               .max_iterations = input.analysis.statics.max_iterations};
 

@@ -26,7 +26,7 @@ State paper_loop(PaperRate<Platform>& rate, State y, double D, Record&& record) 
         const State k2 = rate(1, t, y, half, y + D / 2 * k1);                      // P:3 step 1
         const State k3 = rate(2, t, y, half, y + D / 2 * k2);                      // P:3 step 2
         const State k4 = rate(3, t, y, end, y + D * k3);                           // P:3 step 3
-        const State y1 = y + D / 6 * (k1 + 2 * k2 + 2 * k3 + k4);                  // P:3 step 4 ...
+        const State y1 = rate.led(end, y + D / 6 * (k1 + 2 * k2 + 2 * k3 + k4));   // P:3 step 4 ...
         k1 = rate(4, t, y, end, y1);  // ... whose pass the lines keep: first rate of the next step
         rate.keep();
         y = y1;

@@ -48,11 +48,19 @@ class PaperRate {
         return watched(0, 0.0, y);
     }
 
+    /// The state with every motion that is held or led in its place (K:20); unchanged where the
+    /// platform knows of none.
+    [[nodiscard]] State led(double t, State s) const {
+        if constexpr (requires { platform_.led(t, s); }) return platform_.led(t, s);
+        return s;
+    }
+
     /// Sends the lines from their kept state at t0, where the platform is y, along the spline to s
     /// at t1; loads the hull meanwhile; solves the equation of motion at (t1, s).
     /// @param stage which evaluation of the step, 1 to 4, for messages
     [[nodiscard]] State operator()(int stage, double t0, const State& y, double t1,
-                                   const State& s) {
+                                   const State& at_t1) {
+        const State s = led(t1, at_t1);
         next_.ask = Ask::run_to;
         next_.t0 = t0;
         next_.t1 = t1;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "coupled_modes.hpp"
 #include "failure_message.hpp"
@@ -54,6 +55,12 @@ std::string with_cause_in_the_hull(const std::string& failure, const std::string
 
 }  // namespace
 
+void leave_out_initial(Platform& platform) {
+    PlatformMotion none;
+    platform.initial =
+        with_held(none, platform.initial, platform.fixed);  // there held motions stay
+}
+
 StaticPlatform platform_at_rest(const Case& input, const Hull& hull, const Statics& which) {
     const double radius = std::sqrt(hull.body().inertia.trace() / (3.0 * hull.mass()));
     const double weight = hull.mass() * input.environment.water.gravity;
@@ -63,7 +70,8 @@ StaticPlatform platform_at_rest(const Case& input, const Hull& hull, const Stati
             .stiffness = [h = &hull, w = &which](
                              const PlatformMotion& pose) { return h->static_stiffness(pose, *w); },
             .force = std::max(weight, hull.acting_buoyancy()),
-            .length = std::max(1.0, radius)};
+            .length = std::max(1.0, radius),
+            .held = hull.held()};
 }
 
 StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
@@ -78,7 +86,9 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
     // Weight against buoyancy comes first: a platform that does not float drags a line along until
     // that one fails and has the blame.
     const double stiffness = hull.static_stiffness(PlatformMotion{}, statics)(2, 2);
-    if (!hull.mass_is_auto()) refuse_if_it_sinks(platform, hull, g, stiffness);
+    const Held& held = hull.held();
+    const bool heaves = !held[2];
+    if (!hull.mass_is_auto() && heaves) refuse_if_it_sinks(platform, hull, g, stiffness);
     const Reply design = lines_at(lines, PlatformMotion{}, false, describe);
     out.vertical_line_load = -total_wrench(design)[2];
     const double floats = hull.acting_buoyancy() - out.vertical_line_load;
@@ -91,11 +101,11 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
                                        platform.name, out.vertical_line_load / 1e3,
                                        hull.acting_buoyancy() / 1e3));
         hull.set_mass(floats / g);
-    } else if (hull.acting_buoyancy() > 0.0 &&
+    } else if (heaves && hull.acting_buoyancy() > 0.0 &&
                std::abs(hull.mass() * g - floats) > 0.005 * hull.acting_buoyancy()) {
-        double held = stiffness;
-        for (const LineLoad& line : design.lines) held += line.stiffness(2, 2);
-        const double heave = held > 0.0 ? (floats - hull.mass() * g) / held : HUGE_VAL;
+        double restoring = stiffness;
+        for (const LineLoad& line : design.lines) restoring += line.stiffness(2, 2);
+        const double heave = restoring > 0.0 ? (floats - hull.mass() * g) / restoring : HUGE_VAL;
         unbalanced = fmt::format(
             "{}: weight {:.4g} kN and line loads {:.4g} kN do not balance the buoyancy of {:.4g} "
             "kN at the design draft; it will float elsewhere, about {:+.3g} m in heave "
@@ -113,11 +123,32 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
 
     const StaticPlatform body = platform_at_rest(input, hull, statics);
     NewtonLimits limits;
+    // The lines follow to another place in steps as short as Newton's.
+    const auto walked = [&](const PlatformMotion& from,
+                            const PlatformMotion& to) -> std::optional<Reply> {
+        const Vec3 dx = to.position - from.position, turn = to.angles - from.angles;
+        const int n = static_cast<int>(std::ceil(
+            std::max(dx.norm() / limits.longest_step, turn.norm() / limits.widest_turn) - 1e-9));
+        std::optional<Reply> reply;
+        for (int i = 1; i <= n; ++i) {
+            PlatformMotion pose = to;
+            if (i < n) {
+                pose.position = from.position + dx * i / n;
+                pose.angles = from.angles + turn * i / n;
+            }
+            reply = lines_at(lines, pose, statics.current, describe);
+        }
+        return reply;
+    };
     limits.tolerance = statics.tolerance;
     limits.max_iterations = statics.max_iterations;
     Equilibrium rest;
     try {
-        rest = find_equilibrium(body, lines, PlatformMotion{}, statics.current, limits, describe);
+        const LedMotion led = hull.held_at(0.0);
+        const PlatformMotion begin =
+            with_held({}, {.position = led.motion.position, .angles = led.motion.angles}, held);
+        walked({}, begin);
+        rest = find_equilibrium(body, lines, begin, statics.current, limits, describe);
     } catch (const RunError& error) {
         throw RunError(error.code(),
                        with_cause_in_the_hull(error.what(), unbalanced, platform, hull, g));
@@ -125,40 +156,47 @@ StaticStart static_start(const Case& input, Hull& hull, Lines& lines) {
 
     out.equilibrium = out.start = rest.pose;
     out.iterations = rest.iterations;
-    out.stiffness = body.stiffness(rest.pose);
-    for (const LineLoad& line : rest.lines.lines) out.stiffness += line.stiffness;
+    const Mat6 free = any(held) ? free_projection(rest.pose.angles, held) : Mat6(Mat6::Identity());
+    const Mat6 hull_stiffness = free * body.stiffness(rest.pose) * free;
+    out.stiffness = hull_stiffness;
+    for (const LineLoad& line : rest.lines.lines) out.stiffness += free * line.stiffness * free;
     // Guides with a gap are open at rest, where nothing tells the gap from its absence: stability
     // and periods take them as closed (R:49 of worker/README.md).
-    const LineStiffness of_lines = line_stiffness_of(lines, rest.pose);
-    out.stability = stability_of(hull, g, body.stiffness(rest.pose) + of_lines(0.0), body.length);
+    const LineStiffness swinging = line_stiffness_of(lines, rest.pose);
+    const LineStiffness of_lines = [&](double w) { return Mat6(free * swinging(w) * free); };
+    out.stability = stability_of(hull, g, hull_stiffness + of_lines(0.0), body.length);
+    std::erase_if(out.stability.unheld, [&](const std::string& name) {
+        for (std::size_t i = 0; i < 6; ++i)
+            if (held[i] && name == motion_names[i]) return true;
+        return false;
+    });
     for (std::string& warning : stability_warnings(out.stability, platform.name))
         out.notes.push_back(std::move(warning));
+    // What is held moves by itself, without stiffness: a mode without period.
     out.modes = coupled_modes(
-        body.stiffness(rest.pose), [&](double w) { return hull.static_mass(rest.pose, w); },
+        hull_stiffness,
+        [&](double w) -> Mat6 {
+            if (!any(held)) return hull.static_mass(rest.pose, w);
+            return free * hull.static_mass(rest.pose, w) * free +
+                   std::max(1.0, hull.mass()) * (Mat6::Identity() - free);
+        },
         of_lines);
+    for (CoupledMode& mode : out.modes)
+        mode.held = mode.omega_squared == 0.0 && held[static_cast<std::size_t>(mode.motion)];
     for (const CoupledMode& mode : out.modes)
         if (!mode.converged)
             out.notes.push_back(fmt::format(
                 "{}: the natural period in {} lies where lines swing by themselves and was not "
                 "found; that of the static stiffness is told",
                 platform.name, motion_names[static_cast<std::size_t>(mode.motion)]));
-    out.start.position += platform.initial.position;
-    out.start.angles += platform.initial.angles;
+    PlatformMotion added = with_held(platform.initial, {}, held);
+    out.start.position += added.position;
+    out.start.angles += added.angles;
     out.at_rest = out.lines = std::move(rest.lines);
-    // The lines follow to the offset in steps as short as Newton's.
-    const double moves = std::max(platform.initial.position.norm() / limits.longest_step,
-                                  platform.initial.angles.norm() / limits.widest_turn);
-    const int n = static_cast<int>(std::ceil(moves));
-    for (int i = 1; i <= n; ++i) {
-        PlatformMotion pose = out.start;
-        if (i < n) {
-            pose.position = rest.pose.position + platform.initial.position * i / n;
-            pose.angles = rest.pose.angles + platform.initial.angles * i / n;
-        }
-        out.lines = lines_at(lines, pose, statics.current, describe);
-    }
-    out.start.velocity = platform.initial.velocity;
-    out.start.angle_rates = platform.initial.angle_rates;
+    if (const auto reply = walked(rest.pose, out.start)) out.lines = *reply;
+    out.start.velocity = added.velocity;
+    out.start.angle_rates = added.angle_rates;
+    out.start = with_held(out.start, hull.held_at(0.0).motion, held);
     return out;
 }
 

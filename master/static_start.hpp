@@ -28,6 +28,9 @@ struct StaticStart {
     std::vector<std::string> notes;  ///< warnings
 };
 
+/// Takes away what `initial` adds to the motions that find their own place.
+void leave_out_initial(Platform& platform);
+
 /// The hull's mean loads, with its scales: what an equilibrium is found with.
 /// @param which  the mean loads; must outlive the result, as the hull must
 StaticPlatform platform_at_rest(const Case& input, const Hull& hull, const Statics& which);

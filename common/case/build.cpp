@@ -64,6 +64,11 @@ class Build {
             std::string& path = p.hydrodynamics.database->path;
             path = (folder / path).lexically_normal().string();
         }
+        const auto found = [&](std::string& path) {
+            if (!path.empty()) path = (folder / path).lexically_normal().string();
+        };
+        for (AppliedForce& f : p.forces) found(f.path);
+        if (p.prescribed) found(p.prescribed->path);
         value_.platform = std::move(p);
     }
 

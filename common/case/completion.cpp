@@ -72,7 +72,99 @@ class Completion {
             }
     }
 
+    /// Coefficients by heading.
+    void headings(HeadingTable& table, const std::string& path) {
+        constexpr double rounding = 1e-9;
+        if (table.empty()) return;
+        const double first = table.front()[0], last = table.back()[0];
+        for (std::size_t i = 1; i < table.size(); ++i)
+            if (table[i][0] <= table[i - 1][0])
+                return error(fmt::format("{}[{}]", path, i),
+                             "headings must ascend from row to row");
+        const bool half = std::abs(last - pi) < rounding, full = std::abs(last - 2 * pi) < rounding;
+        if (std::abs(first) > rounding || (!half && !full))
+            return error(path, "expected headings from 0 to 180 deg or from 0 to 360 deg");
+        const auto odd = [](const auto& row) { return row[2] != 0.0 || row[3] != 0.0; };
+        if (half && (odd(table.front()) || odd(table.back())))
+            error(path,
+                  "headings of 0 to 180 deg are mirrored: Cy and Cyaw must be 0 at both; give 0 to "
+                  "360 deg for a hull that is not symmetric");
+        for (std::size_t k = 1; full && k < 4; ++k)
+            if (table.front()[k] != table.back()[k]) {
+                error(path, "the rows of 0 and 360 deg must be alike");
+                break;
+            }
+    }
+
+    void wind(WindArea& w) {
+        headings(w.coefficients, "platform.wind.coefficients");
+        if (!w.side_area) w.side_area = w.area;
+        for (const auto& row : w.coefficients)
+            if (row[3] != 0.0 && w.length == 0.0) {
+                error("platform.wind.length", "required key \"length\" is missing (Cyaw is not 0)");
+                break;
+            }
+    }
+
+    /// Forces given by hand, led motion.
+    void histories(PlatformKeys& p) {
+        for (std::size_t i = 0; i < p.forces.size(); ++i) {
+            const AppliedForce& f = p.forces[i];
+            const std::string path = fmt::format("platform.forces[{}]", i);
+            if (!f.path.empty() && (f.force || f.moment || f.period || !f.factor.empty()))
+                error(path + ".file", "the file has force and moment in time: nothing beside it");
+            if (f.period && !f.factor.empty())
+                error(path + ".period", "expected one of \"factor\", \"period\"");
+            for (std::size_t k = 1; k < f.factor.size(); ++k)
+                if (f.factor[k][0] <= f.factor[k - 1][0]) {
+                    error(path + ".factor", "times must ascend from row to row");
+                    break;
+                }
+        }
+        if (!p.prescribed || p.prescribed->path.empty()) return;
+        for (const auto& harmonic : p.prescribed->harmonic)
+            if (harmonic) {
+                error("platform.prescribed_motion.file",
+                      "the file has all six motions: no harmonic beside it");
+                break;
+            }
+    }
+
+    /// What a platform needs that moves by itself, and one that is led does not.
+    void rigid_body(PlatformKeys& p) {
+        if (p.prescribed) {
+            if (!given("platform.mass")) p.mass = 0.0;
+            if (p.fixed != std::array<bool, 6>{})
+                error("platform.fixed_modes", "every motion is prescribed");
+            if (p.initial != PlatformMotion{})
+                error("platform.initial", "every motion is prescribed");
+            return;
+        }
+        const auto missing = [&](const char* key) {
+            error("platform", fmt::format("required key \"{}\" is missing", key));
+        };
+        if (!given("platform.mass")) missing("mass");
+        if (!given("platform.centre_of_gravity")) missing("centre_of_gravity");
+        if (!p.gyration && !p.inertia)
+            error("platform", "expected one of \"radii_of_gyration\", \"inertia\"");
+        if (p.mass && *p.mass == 0.0) error("platform.mass", "expected a value above 0 kg");
+        for (std::size_t i = 0; i < 6; ++i) {
+            const auto k = static_cast<Eigen::Index>(i % 3);
+            const double rate = i < 3 ? p.initial.velocity[k] : p.initial.angle_rates[k];
+            if (p.fixed[i] && rate != 0.0)
+                error("platform.initial.velocity", "a motion of fixed_modes has no velocity");
+        }
+    }
+
     void platform(PlatformKeys& p) {
+        rigid_body(p);
+        if (p.current_coefficients && !p.current_coefficients->depth)
+            p.current_coefficients->depth = 0.5 * p.current_coefficients->draft;
+        if (p.current_coefficients)
+            headings(p.current_coefficients->coefficients,
+                     "platform.current_coefficients.coefficients");
+        if (p.wind) wind(*p.wind);
+        histories(p);
         Hydrodynamics& hydro = p.hydrodynamics;
         const std::string path = "platform.hydrodynamics";
         const std::vector<WaveTrain>& trains = case_.environment.waves;
@@ -142,9 +234,17 @@ class Completion {
         if (!given(path + ".inertia")) m.inertia = !p.hydrodynamics.database;
         if (!given(path + ".displaced_area")) {
             m.displaced_area = m.inertia ? pi / 4.0 * m.diameter * m.diameter : 0.0;
+            if (m.diameter_to && m.inertia)
+                m.displaced_area_to = pi / 4.0 * *m.diameter_to * *m.diameter_to;
         } else if (!m.inertia && m.displaced_area > 0.0) {
             error(path + ".displaced_area", "must be 0 where inertia is false");
         }
+        if (m.flooded && m.displaced_area == 0.0 && m.displaced_area_to.value_or(0.0) == 0.0)
+            error(path + ".flooded", "needs a section that displaces water: inertia: true");
+        if (m.current && p.current_coefficients)
+            error(given(path + ".current") ? path + ".current" : path,
+                  "current must be false beside current_coefficients, which hold the drag of the "
+                  "current on the whole hull");
         if ((m.to - m.from).norm() == 0.0) error(path + ".to", "the member has no length");
     }
 

@@ -7,6 +7,8 @@ namespace {
 
 using namespace dimension;
 
+constexpr std::array mode_words{"surge", "sway", "heave", "roll", "pitch", "yaw"};
+
 /// Dimensions of a 6x6 matrix from those of its four 3x3 blocks: force by translation, force by
 /// rotation, moment by translation, moment by rotation.
 std::vector<Dimension> blocks(const Dimension& tt, const Dimension& tr, const Dimension& rt,
@@ -223,6 +225,12 @@ const Table& hydrodynamics_keys() {
     return table;
 }
 
+/// One number, or that of each end.
+std::vector<double> ends_of(double from, const std::optional<double>& to) {
+    if (to) return {from, *to};
+    return {from};
+}
+
 const Table& member_keys() {
     static const Table table = [] {
         Keys<Member> k("members");
@@ -231,10 +239,16 @@ const Table& member_keys() {
             .required()
             .eg("[0, 0, 19 m]");
         k.vector("to", &Member::to, {length}, "The other end").required().eg("[0, 0, -70 m]");
-        k.number("diameter", &Member::diameter, length, "Drag width")
-            .required()
-            .above(0)
-            .eg("40 m");
+        Key& width = k.custom(
+            "diameter", Form::numbers, {length}, "Drag width; of a tapered member [at from, at to]",
+            [](Member& m, const Value& v) {
+                const auto& d = std::get<std::vector<double>>(v);
+                m.diameter = d.front();
+                if (d.size() > 1) m.diameter_to = d.back();
+            },
+            [](const Member& m) -> Value { return ends_of(m.diameter, m.diameter_to); });
+        width.most = 2;
+        width.required().above(0).eg("40 m");
         k.number("Cd", &Member::Cd, dimension::number, "Normal drag on diameter x wetted length")
             .required()
             .at_least(0)
@@ -260,18 +274,54 @@ const Table& member_keys() {
                "Do Froude-Krylov force and added mass act? false for what the database contains")
             .follows("true; false with a database")
             .eg("false");
-        k.number("displaced_area", &Member::displaced_area, area,
-                 "Section that displaces water: buoyancy, Froude-Krylov and Ca refer to it")
-            .follows("pi D^2/4; 0 where inertia is false")
-            .at_least(0)
-            .eg("7.77 m2");
+        Key& section = k.custom(
+            "displaced_area", Form::numbers, {area},
+            "Section that displaces water: buoyancy, Froude-Krylov and Ca refer to it; of a "
+            "tapered "
+            "member [at from, at to]",
+            [](Member& m, const Value& v) {
+                const auto& a = std::get<std::vector<double>>(v);
+                m.displaced_area = a.front();
+                if (a.size() > 1) m.displaced_area_to = a.back();
+            },
+            [](const Member& m) -> Value {
+                return ends_of(m.displaced_area, m.displaced_area_to);
+            });
+        section.most = 2;
+        section.follows("pi D^2/4; 0 where inertia is false").at_least(0).eg("7.77 m2");
         k.number("Ca", &Member::Ca, dimension::number, "Added mass coefficient on displaced_area")
             .def("1")
             .at_least(0);
+        k.number("axial_Ca", &Member::axial_Ca, dimension::number,
+                 "Added mass coefficient along the axis, on displaced_area")
+            .def("0")
+            .at_least(0);
+        Key& faces = k.custom(
+            "end_Ca", Form::numbers, {dimension::number},
+            "Added mass of the end faces along the axis on 2/3 pi r^3, [at from, at to] or one "
+            "number for both; a flat face has 0.64",
+            [](Member& m, const Value& v) {
+                const auto& ca = std::get<std::vector<double>>(v);
+                m.end_Ca_from = ca.front();
+                m.end_Ca_to = ca.back();
+            },
+            [](const Member& m) -> Value {
+                return std::vector<double>{m.end_Ca_from, m.end_Ca_to};
+            });
+        faces.most = 2;
+        faces.def("[0, 0]").at_least(0);
+        k.flag(
+             "flooded", &Member::flooded,
+             "Free-flooding: the water inside moves with the member, and its inside is no buoyancy")
+            .def("false");
         k.flag("waves_in_drag", &Member::waves_in_drag,
                "false: the drag sees current and hull motion only")
             .def("true");
-        k.flag("current", &Member::current, "Does the drag see the current?").def("true");
+        k.flag(
+             "current", &Member::current,
+             "Does the drag see the current? Must be false beside current_coefficients, which hold "
+             "it")
+            .def("true");
         return k.done();
     }();
     return table;
@@ -370,6 +420,153 @@ const Table& gyration_keys() {
     return table;
 }
 
+/// Coefficients by heading.
+template <class T>
+void heading_rows(Keys<T>& k, HeadingTable T::*table, const std::string& sentence) {
+    Key& rows = k.custom(
+        "coefficients", Form::rows,
+        {angle, dimension::number, dimension::number, dimension::number}, sentence,
+        [table](T& object, const Value& v) {
+            (object.*table).clear();
+            for (const auto& row : std::get<std::vector<std::vector<double>>>(v))
+                (object.*table).push_back({row[0], row[1], row[2], row[3]});
+        },
+        [table](const T& object) -> Value {
+            if ((object.*table).empty()) return {};
+            std::vector<std::vector<double>> out;
+            for (const auto& row : object.*table) out.emplace_back(row.begin(), row.end());
+            return out;
+        });
+    rows.fewest = rows.most = 4;
+    rows.eg("[[0 deg, 0.7, 0, 0], [90 deg, 0, 0.9, 0.05], [180 deg, -0.7, 0, 0]]");
+}
+
+const Table& current_coefficient_keys() {
+    static const Table table = [] {
+        Keys<CurrentCoefficients> k("current_coefficients");
+        k.number("draft", &CurrentCoefficients::draft, length, "Reference draft")
+            .required()
+            .above(0)
+            .eg("20 m");
+        k.number("length", &CurrentCoefficients::length, length,
+                 "Reference length: forces on draft x length, the yaw moment on draft x length^2")
+            .required()
+            .above(0)
+            .eg("100 m");
+        k.number("depth", &CurrentCoefficients::depth, length,
+                 "Depth below the reference point at which the current is taken and the force acts")
+            .follows("half the draft")
+            .at_least(0)
+            .eg("10 m");
+        heading_rows(
+            k, &CurrentCoefficients::coefficients,
+            "Rows of heading, Cx, Cy, Cyaw: heading of the current against that of the "
+            "platform, 0 from astern, 90 deg towards port, 180 deg from ahead (OCIMF's); 0 "
+            "to 180 deg are mirrored, else 0 to 360");
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& stiffness_keys() {
+    static const Table table = [] {
+        Keys<Platform> k("stiffness");
+        k.modes("linear", &Platform::stiffness,
+                blocks(dimension::stiffness, force_per_angle, force, rotational_stiffness),
+                "Linear stiffness about the design position, per mode or 6 rows of 6")
+            .eg("{yaw: 98.34 MN.m/rad}");
+        k.choice("axes", &Platform::stiffness_turns,
+                 std::vector<std::pair<std::string, bool>>{{"earth", false}, {"yaw", true}},
+                 "Axes of the displacement and the force: those of the world, or such that turn "
+                 "with yaw")
+            .def("earth");
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& force_keys() {
+    static const Table table = [] {
+        Keys<AppliedForce> k("forces");
+        k.text("name", &AppliedForce::name, "Name for messages").required().eg("thruster");
+        Key& push = k.vector("force", &AppliedForce::force, {dimension::force}, "Force");
+        push.follows("none").eg("[500 kN, 0, 0]");
+        Key& twist = k.vector("moment", &AppliedForce::moment, {dimension::moment}, "Moment");
+        twist.follows("none").eg("[0, 0, 20 MN.m]");
+        k.vector("position", &AppliedForce::position, {length},
+                 "Point at which the force acts, on platform axes")
+            .def("[0, 0, 0]");
+        k.choice(
+             "axes", &AppliedForce::on_platform_axes,
+             std::vector<std::pair<std::string, bool>>{{"earth", false}, {"platform", true}},
+             "Axes of force and moment: those of the world, or such that turn with the platform")
+            .def("earth");
+        k.points(
+             "factor", &AppliedForce::factor, {time, dimension::number},
+             "Rows of time and factor on both, straight between and constant outside: steps and "
+             "ramps; the static start has that of t = 0")
+            .eg("[[0 s, 0], [100 s, 1]]");
+        k.number("period", &AppliedForce::period, time,
+                 "Harmonic: times cos(2 pi t/period + phase) and the run's ramp, not in the static "
+                 "start")
+            .above(0)
+            .eg("12 s");
+        k.number("phase", &AppliedForce::phase, angle, "Phase of the cosine").def("0 deg");
+        k.path(
+             "file", &AppliedForce::path,
+             "Instead of force and moment: a text file of rows t, Fx, Fy, Fz, Mx, My, Mz in s, N, "
+             "N.m, straight between; relative to this file")
+            .eg("thruster.txt");
+        k.rule(KeyRule::Count::at_least_one, {"force", "moment", "file"});
+        return k.done();
+    }();
+    return table;
+}
+
+template <int mode>
+const Table& motion_keys() {
+    static const Table table = [] {
+        Keys<HarmonicMotion> k("motion");
+        const Dimension& d = mode < 3 ? length : angle;
+        const std::string zero = std::string("0 ") + std::string(d.unit);
+        k.number("mean", &HarmonicMotion::mean, d, "Mean place").def(zero);
+        k.number("amplitude", &HarmonicMotion::amplitude, d, "Amplitude, brought in by the ramp")
+            .required()
+            .eg(mode < 3 ? "5 m" : "3 deg");
+        k.number("period", &HarmonicMotion::period, time, "Period").required().above(0).eg("12 s");
+        k.number("phase", &HarmonicMotion::phase, angle, "Phase of the sine").def("0 deg");
+        return k.done();
+    }();
+    return table;
+}
+
+const Table& prescribed_keys() {
+    static const Table table = [] {
+        Keys<PrescribedMotion> k("prescribed_motion");
+        const auto mode = [&k](std::size_t i, const char* name, const Table& (*of_mode)()) {
+            k.map(
+                name,
+                [i](PrescribedMotion& m) -> std::optional<HarmonicMotion>& {
+                    return m.harmonic[i];
+                },
+                of_mode, std::string("Harmonic motion in ") + name);
+        };
+        mode(0, "surge", motion_keys<0>);
+        mode(1, "sway", motion_keys<1>);
+        mode(2, "heave", motion_keys<2>);
+        mode(3, "roll", motion_keys<3>);
+        mode(4, "pitch", motion_keys<4>);
+        mode(5, "yaw", motion_keys<5>);
+        k.path(
+             "file", &PrescribedMotion::path,
+             "Instead of harmonics: a text file of rows t, surge, sway, heave, roll, pitch, yaw in "
+             "s, m, deg, joined by a spline with continuous acceleration; relative to this file")
+            .eg("motion.txt");
+        return k.done();
+    }();
+    return table;
+}
+
 const Table& wind_area_keys() {
     static const Table table = [] {
         Keys<WindArea> k("wind");
@@ -382,10 +579,26 @@ const Table& wind_area_keys() {
             .required()
             .above(0)
             .eg("45 m");
-        k.number("Cs", &WindArea::Cs, dimension::number, "Shape coefficient")
-            .required()
-            .at_least(0)
-            .eg("1.0");
+        Key& shape = k.number("Cs", &WindArea::Cs, dimension::number,
+                              "Shape coefficient, the same for every heading");
+        shape.at_least(0).eg("1.0");
+        shape.get = [](const void* object) -> Value {
+            const auto& w = *static_cast<const WindArea*>(object);
+            if (!w.coefficients.empty()) return {};
+            return w.Cs;
+        };
+        k.number("side_area", &WindArea::side_area, dimension::area,
+                 "Area of Cy and Cyaw; `area` is that of Cx")
+            .follows("as area")
+            .above(0)
+            .eg("4000 m2");
+        k.number("length", &WindArea::length, length, "Length of Cyaw").def("0 m").at_least(0);
+        heading_rows(
+            k, &WindArea::coefficients,
+            "Instead of Cs, rows of heading, Cx, Cy, Cyaw: heading of the wind against that "
+            "of the platform, 0 from astern, 90 deg towards port, 180 deg from ahead "
+            "(OCIMF's); 0 to 180 deg are mirrored, else 0 to 360");
+        k.rule(KeyRule::Count::exactly_one, {"Cs", "coefficients"});
         return k.done();
     }();
     return table;
@@ -420,8 +633,8 @@ const Table& platform_keys() {
         k.number("mass", &Platform::mass, mass,
                  "Mass; auto: (acting buoyancy - static line loads)/g, floats at its design draft")
             .or_word("auto")
-            .required()
-            .above(0)
+            .follows("none; required without prescribed_motion")
+            .at_least(0)
             .eg("auto");
         k.number("displacement", &Platform::displacement, mass,
                  "What the displacement is believed to be; compared with the acting buoyancy, "
@@ -434,7 +647,7 @@ const Table& platform_keys() {
             .eg("175 m");
         k.vector("centre_of_gravity", &Platform::centre_of_gravity, {length},
                  "Centre of gravity, on platform axes")
-            .required()
+            .follows("the origin; required without prescribed_motion")
             .eg("[0, 0, -66 m]");
         k.map("radii_of_gyration", &PlatformKeys::gyration, gyration_keys,
               "Radii of gyration about the centre of gravity");
@@ -449,10 +662,34 @@ const Table& platform_keys() {
                "Heave plates: drag and added mass along the normal");
         k.map("wind", &Platform::wind, wind_area_keys, "Wind load of the topsides");
         k.group("damping", damping_keys, "Damping given by hand");
-        k.later("current_coefficients", "Current load coefficients by heading");
-        k.later("fixed_modes", "Modes that are held");
-        k.later("prescribed_motion", "Motion by time history or harmonic");
-        k.rule(KeyRule::Count::exactly_one, {"radii_of_gyration", "inertia"});
+        k.group("stiffness", stiffness_keys, "Stiffness given by hand");
+        k.list("forces", &Platform::forces, force_keys,
+               "Forces given by hand, constant or in time");
+        k.map("current_coefficients", &Platform::current_coefficients, current_coefficient_keys,
+              "Load of the current on the whole hull by heading (OCIMF's form), instead of that on "
+              "members");
+        Key& fixed = k.custom(
+            "fixed_modes", Form::words, {},
+            "Motions that are held where `initial` puts them; the force that holds them is "
+            "recorded",
+            [](PlatformKeys& p, const Value& v) {
+                p.fixed.fill(false);
+                for (const std::string& word : std::get<std::vector<std::string>>(v))
+                    for (std::size_t i = 0; i < 6; ++i)
+                        if (word == mode_words[i]) p.fixed[i] = true;
+            },
+            [](const PlatformKeys& p) -> Value {
+                std::vector<std::string> words;
+                for (std::size_t i = 0; i < 6; ++i)
+                    if (p.fixed[i]) words.emplace_back(mode_words[i]);
+                if (words.empty()) return {};
+                return words;
+            });
+        fixed.choices.assign(mode_words.begin(), mode_words.end());
+        fixed.eg("[heave, roll, pitch]");
+        k.map("prescribed_motion", &Platform::prescribed, prescribed_keys,
+              "The platform goes as told, for studies of lines alone; motions left out are held");
+        k.rule(KeyRule::Count::at_most_one, {"radii_of_gyration", "inertia"});
         return k.done();
     }();
     return table;

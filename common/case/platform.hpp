@@ -2,8 +2,10 @@
 // (x forward, y to port, z up, origin at the reference point O on the design waterline).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "frames.hpp"
@@ -77,12 +79,17 @@ struct Hydrodynamics {
 struct Member {
     std::string name;
     Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< [m]
-    double diameter = 0.0;                        ///< drag width [m]
+    double diameter = 0.0;                        ///< drag width, at `from` [m]
+    std::optional<double> diameter_to;            ///< at `to`, tapered between; empty: the same
     double Cd = 0.0, axial_Cd = 0.0;              ///< both on diameter x wetted length
     double end_Cd_from = 0.0, end_Cd_to = 0.0;    ///< on pi D^2/4
     bool inertia = true;                          ///< Froude-Krylov, added mass and buoyancy act
     double displaced_area = 0.0;  ///< section that displaces water [m2] (resolved default)
-    double Ca = 1.0;              ///< added mass coefficient on displaced_area
+    std::optional<double> displaced_area_to;    ///< at `to`; empty: the same
+    double Ca = 1.0;                            ///< added mass coefficient on displaced_area
+    double axial_Ca = 0.0;                      ///< of its skin along the axis, on displaced_area
+    double end_Ca_from = 0.0, end_Ca_to = 0.0;  ///< of the end faces on 2/3 pi r^3, along the axis
+    bool flooded = false;  ///< free-flooding: the water inside moves with it and carries nothing
     bool waves_in_drag = true;
     bool current = true;
 
@@ -100,10 +107,60 @@ struct Plate {
     bool operator==(const Plate&) const = default;
 };
 
+/// Rows of heading [rad], Cx, Cy, Cyaw. The heading is that towards which the flow goes, against
+/// the platform's own: 0 on the stern, 90 deg towards port, 180 deg on the bow (OCIMF's).
+using HeadingTable = std::vector<std::array<double, 4>>;
+
 struct WindArea {
     double area = 0.0, centre_height = 0.0, Cs = 1.0;  ///< [m2], above O [m], [-]
+    std::optional<double> side_area;                   ///< of Cy and Cyaw [m2]; empty: as area
+    double length = 0.0;                               ///< of Cyaw [m]
+    HeadingTable coefficients;                         ///< instead of Cs
 
     bool operator==(const WindArea&) const = default;
+};
+
+/// Load of a current on the whole hull by coefficients on draft x length (OCIMF's form).
+struct CurrentCoefficients {
+    double draft = 0.0, length = 0.0;  ///< [m]
+    std::optional<double> depth;  ///< where it acts and the current is taken [m]; empty: draft/2
+    HeadingTable coefficients;
+
+    bool operator==(const CurrentCoefficients&) const = default;
+};
+
+/// Rows of a file: time [s] and six columns, surge ... yaw.
+using SixSeries = std::vector<std::array<double, 7>>;
+
+/// A force and a moment given by the user, constant or in time.
+struct AppliedForce {
+    std::string name;
+    std::optional<Vec3> force, moment;          ///< [N], [N.m]
+    Vec3 position = Vec3::Zero();               ///< where it acts, platform axes [m]
+    bool on_platform_axes = false;              ///< else on the world's
+    std::vector<std::array<double, 2>> factor;  ///< time [s], factor; straight between
+    std::optional<double> period;               ///< times cos(2 pi t/period + phase)
+    double phase = 0.0;                         ///< [rad]
+    std::string path;                           ///< file instead of force and moment
+    SixSeries rows;                             ///< what it holds [s, N, N.m]
+
+    bool operator==(const AppliedForce&) const = default;
+};
+
+/// x(t) = mean + ramp(t) amplitude sin(2 pi t/period + phase) [m or rad].
+struct HarmonicMotion {
+    double mean = 0.0, amplitude = 0.0, period = 1.0, phase = 0.0;
+
+    bool operator==(const HarmonicMotion&) const = default;
+};
+
+/// The platform goes as told, whatever the loads.
+struct PrescribedMotion {
+    std::array<std::optional<HarmonicMotion>, 6> harmonic;
+    std::string path;  ///< file instead of them
+    SixSeries rows;    ///< what it holds [s, m, rad]
+
+    bool operator==(const PrescribedMotion&) const = default;
 };
 
 struct Platform {
@@ -121,6 +178,19 @@ struct Platform {
     std::optional<WindArea> wind;
     Mat6 linear_damping = Mat6::Zero();     ///< about O on axes that turn with yaw [SI, rad]
     Mat6 quadratic_damping = Mat6::Zero();  ///< F_i = -sum_j B_ij |v_j| v_j
+    Mat6 stiffness = Mat6::Zero();          ///< the user's, about the design position
+    bool stiffness_turns = false;           ///< on axes that turn with yaw; else the world's
+    std::optional<CurrentCoefficients> current_coefficients;
+    std::vector<AppliedForce> forces;
+    std::array<bool, 6> fixed{};  ///< motions that are held where `initial` puts them
+    std::optional<PrescribedMotion> prescribed;
+
+    /// Motions that do not follow from the loads.
+    [[nodiscard]] std::array<bool, 6> held() const {
+        std::array<bool, 6> all{};
+        all.fill(true);
+        return prescribed ? all : fixed;
+    }
 
     bool operator==(const Platform&) const = default;
 };

@@ -10,6 +10,7 @@
 
 #include "io/case_echo.hpp"
 #include "io/case_tree.hpp"
+#include "io/history_file.hpp"
 #include "io/key_reader.hpp"
 #include "io/weather_tables.hpp"
 
@@ -315,6 +316,8 @@ CaseFile finish(Node root, const std::string& name, const std::string& file, con
     CaseFile result;
     result.value = build(declared, name, folder, problems);
     check(result.value, declared, problems);
+    if (result.value.platform)
+        read_histories(*result.value.platform, result.value.analysis.dynamics.duration, problems);
     if (!file.empty()) {
         hydro_files(result.value, problems);
         unused(declared, reader.places(), file, problems);

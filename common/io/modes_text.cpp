@@ -25,6 +25,7 @@ std::string name_of(const CoupledMode& mode) {
 
 /// Of a mode without period: held by nothing, or pushed further the further it goes.
 std::string why_none(const CoupledMode& mode) {
+    if (mode.held) return "held";
     return mode.omega_squared < 0.0 ? "unstable" : "not held";
 }
 std::string why_none(const RodMode& mode) {

@@ -16,9 +16,12 @@ std::string load_description(std::string_view name) {
         {"weight", "Weight"},
         {"members", "Members beyond their drag in current alone: wave loads and viscous drift"},
         {"plates", "Heave plates"},
-        {"current", "Drag of members in current alone"},
+        {"current", "Drag of members in current alone; current coefficients"},
         {"wind", "Wind"},
         {"damping", "Linear and quadratic damping of the case"},
+        {"stiffness", "Linear stiffness of the case"},
+        {"forces", "Forces given by hand"},
+        {"holding", "What holds or leads the motions that do not follow from the loads"},
         {"lines", "All lines"},
         {"total", "All loads"}};
     for (const auto& [key, text] : words) {
@@ -28,6 +31,13 @@ std::string load_description(std::string_view name) {
 }
 
 }  // namespace
+
+bool has_load(const Platform& p, std::string_view name) {
+    if (name == "stiffness") return !p.stiffness.isZero(0.0);
+    if (name == "forces") return !p.forces.empty();
+    if (name == "holding") return p.held() != std::array<bool, 6>{};
+    return true;
+}
 
 std::string platform_path(const Case& input) {
     return "/platform/" + (input.platform ? input.platform->name : std::string("platform")) + "/";
@@ -54,6 +64,7 @@ std::vector<SeriesField> result_fields(const Case& input, const std::vector<int>
     }
     if (input.platform && output.platform_loads) {
         for (const std::string_view name : load_names) {
+            if (!has_load(*input.platform, name)) continue;
             fields.push_back({platform_path(input) + "loads/" + std::string(name),
                               "N, N, N, N.m, N.m, N.m",
                               load_description(name),

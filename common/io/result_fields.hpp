@@ -15,9 +15,12 @@ namespace hawser::io {
 
 /// Loads on the platform that are recorded one by one, in the order of the result file; each is
 /// force [N] and moment about O [N.m] on world axes.
-inline constexpr std::array<std::string_view, 13> load_names{
-    "wave1",  "drift",   "wave2", "radiation", "hydrostatic", "weight", "members",
-    "plates", "current", "wind",  "damping",   "lines",       "total"};
+inline constexpr std::array<std::string_view, 16> load_names{
+    "wave1",   "drift", "wave2",   "radiation", "hydrostatic", "weight",  "members", "plates",
+    "current", "wind",  "damping", "stiffness", "forces",      "holding", "lines",   "total"};
+
+/// Does the platform have this load? Those given by hand are recorded where the case has them.
+bool has_load(const Platform& platform, std::string_view name);
 
 /// /platform/<name>/ with the name of the case's platform.
 std::string platform_path(const Case& input);

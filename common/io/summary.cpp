@@ -254,7 +254,10 @@ std::string ledger_text(const LedgerTable& ledger, double step) {
                         cell(v[4] / 1e3, 14, 1), cell(v[5] / 1e3, 14, 1));
     };
     for (std::size_t k = 0; k < ledger.components.size(); ++k) {
-        row(ledger.components[k], ledger.mean[k]);
+        const std::string& name = ledger.components[k];
+        const bool by_hand = name == "stiffness" || name == "forces" || name == "holding";
+        if (by_hand && ledger.mean[k].isZero(0.0)) continue;
+        row(name, ledger.mean[k]);
     }
     row("sum", ledger.sum);
     row("mass x acceleration", ledger.momentum);

@@ -33,6 +33,7 @@ Mat6 motion_matrix(const Vec3& angles) {
     return T;
 }
 
+// K:20
 HeldSolution solve_held(const Mat6& M, const Vec6& F, const PlatformMotion& m, const Held& held,
                         const Vec6& given) {
     HeldSolution out;

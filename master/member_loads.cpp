@@ -9,12 +9,25 @@ namespace hawser::master {
 namespace {
 constexpr double longest_strip = 2.5;  // [m]: a wave of 15 m (2 rad/s) decays by e over this depth
 
-// Drag of one strip of wet length l: across and along the axis t.
-Vec3 strip_drag(const Member& m, double half_density, double l, const Vec3& t, const Vec3& u) {
+// Drag of one strip: across and along the axis t. @param area  wet drag width x length
+Vec3 strip_drag(const Member& m, double half_density, double area, const Vec3& t, const Vec3& u) {
     const double along = u.dot(t);
     const Vec3 across = u - along * t;
-    return half_density * m.diameter * l *
+    return half_density * area *
            (m.Cd * across.norm() * across + m.axial_Cd * std::abs(along) * along * t);
+}
+
+bool displaces(const Member& m) {
+    return m.displaced_area > 0.0 || m.displaced_area_to.value_or(0.0) > 0.0;
+}
+
+// Centre of the wet volume from O. @param axis  world axes
+Vec3 volume_centre(const Vec3& middle, const Vec3& axis, const Wetting& wet) {
+    Vec3 r = middle + wet.along * axis;
+    const Vec3 upwards = Vec3::UnitZ() - axis.z() * axis;
+    const double sine = upwards.norm();
+    if (wet.up != 0.0 && sine > 0.0) r += wet.up / sine * upwards;
+    return r;
 }
 }  // namespace
 
@@ -26,9 +39,19 @@ MemberLoads::MemberLoads(const std::vector<Member>& members, const Water& water)
     for (std::size_t i = 0; i < members.size(); ++i) {
         const Member& m = members[i];
         const Vec3 axis = (m.to - m.from).normalized();
-        const double face = 0.5 * density_ * M_PI / 4 * m.diameter * m.diameter;
-        if (m.end_Cd_from > 0.0) faces_.push_back({m.from, axis, face * m.end_Cd_from, i});
-        if (m.end_Cd_to > 0.0) faces_.push_back({m.to, axis, face * m.end_Cd_to, i});
+        const auto face = [&](const Vec3& place, double diameter, double area, double Cd,
+                              double Ca) {
+            if (Cd <= 0.0 && Ca <= 0.0) return;
+            const double r = displaces(m) ? std::sqrt(area / M_PI) : 0.5 * diameter;
+            faces_.push_back({.place = place,
+                              .axis = axis,
+                              .drag = 0.5 * density_ * Cd * M_PI / 4 * diameter * diameter,
+                              .added_mass = density_ * Ca * 2.0 / 3.0 * M_PI * r * r * r,
+                              .member = i});
+        };
+        face(m.from, m.diameter, m.displaced_area, m.end_Cd_from, m.end_Ca_from);
+        face(m.to, m.diameter_to.value_or(m.diameter),
+             m.displaced_area_to.value_or(m.displaced_area), m.end_Cd_to, m.end_Ca_to);
     }
     block_ = WaterBlock(strips_.size() + faces_.size());
 }
@@ -57,31 +80,34 @@ MemberLoad MemberLoads::load(double t, const Sea& sea, double current_factor,
         const Member& m = members_[strip.member];
         const Vec3 axis = R * strip.axis;
         const Wetting wet = wetting(strip, axis.z(), block_.z[i], block_.eta[i]);
-        if (wet.fraction <= 0.0) continue;
-        const Vec3 r = R * strip.middle + wet.shift * axis;  // from O to the middle of the wet part
-        if (wet.fraction < 1.0) {
+        if (wet.length <= 0.0) continue;
+        const Vec3 middle = R * strip.middle;
+        const Vec3 r = middle + wet.shift * axis;  // from O to the middle of the wet part
+        if (!wet.whole) {
             block_.place(i, motion.position + r);
             block_.sample_one(sea, t, i);
         }
-        const double l = wet.fraction * strip.length;
         const Vec3 v = motion.velocity + w.cross(r);
         const Vec3 u = water_velocity(i, m, sea, current_factor, false);
-        Vec3 force = strip_drag(m, 0.5 * density_, l, axis, u - v);
-        const double water_mass = density_ * m.displaced_area * l;
-        if (m.displaced_area > 0.0)
-            add_point_load_to(sum.buoyancy, r, Vec3(0, 0, gravity_ * water_mass));
-        if (m.inertia && m.displaced_area > 0.0) {
-            const auto across = [&](const Vec3& x) { return Vec3(x - x.dot(axis) * axis); };
-            const double added = m.Ca * water_mass;
-            const Vec3 a = block_.acceleration(i);
-            force += water_mass * a + added * across(a - w.cross(w.cross(r)));
-            add_point_mass_to(sum.added_mass, r, added, Mat3::Identity() - axis * axis.transpose());
-            if (wet.fraction < 1.0) {
-                const double rate = strip.length * (block_.uz[i] - v.z()) / wet.height;
-                force += density_ * m.Ca * m.displaced_area * rate * across(block_.velocity(i) - v);
-            }
+        add_point_load_to(sum.rest, r, strip_drag(m, 0.5 * density_, wet.drag_area, axis, u - v));
+        if (!displaces(m)) continue;
+        const double water_mass = density_ * wet.volume;
+        if (!m.flooded)
+            add_point_load_to(sum.buoyancy, volume_centre(middle, axis, wet),
+                              Vec3(0, 0, gravity_ * water_mass));
+        if (!m.inertia) continue;
+        const Vec3 c = middle + wet.along * axis;
+        const Mat3 along = axis * axis.transpose(), across = Mat3::Identity() - along;
+        const Mat3 Ca = m.Ca * across + m.axial_Ca * along;
+        const Mat3 moved = m.flooded ? Mat3(Ca + Mat3::Identity()) : Ca;  // with the hull
+        const Vec3 a = block_.acceleration(i);
+        Vec3 force = water_mass * (a + Ca * a - moved * w.cross(w.cross(c)));
+        add_point_mass_to(sum.added_mass, c, water_mass, moved);
+        if (!wet.whole) {
+            const double rate = density_ * wet.waterplane * (block_.uz[i] - v.z());
+            force += rate * (Ca * (block_.velocity(i) - v));
         }
-        add_point_load_to(sum.rest, r, force);
+        add_point_load_to(sum.rest, c, force);
     }
     for (std::size_t k = 0; k < faces_.size(); ++k) {
         const std::size_t i = strips_.size() + k;
@@ -90,7 +116,11 @@ MemberLoad MemberLoads::load(double t, const Sea& sea, double current_factor,
         const Vec3 r = R * face.place, axis = R * face.axis;
         const Vec3 u = water_velocity(i, members_[face.member], sea, current_factor, false);
         const double along = (u - motion.velocity - w.cross(r)).dot(axis);
-        add_point_load_to(sum.rest, r, face.factor * std::abs(along) * along * axis);
+        const double inertia =
+            face.added_mass * (block_.acceleration(i) - w.cross(w.cross(r))).dot(axis);
+        add_point_load_to(sum.rest, r, (face.drag * std::abs(along) * along + inertia) * axis);
+        if (face.added_mass > 0.0)
+            add_point_mass_to(sum.added_mass, r, face.added_mass, axis * axis.transpose());
     }
     add_current_to(sum, sea, current_factor, motion, R, false);
     sum.rest -= sum.current;
@@ -112,17 +142,16 @@ void MemberLoads::add_current_to(MemberLoad& sum, const Sea& sea, double current
         const Strip& strip = strips_[i];
         const Member& m = members_[strip.member];
         const Vec3 axis = R * strip.axis;
-        Vec3 r = R * strip.middle;
-        const Wetting wet = wetting(strip, axis.z(), pose.position.z() + r.z(), 0.0);
-        if (wet.fraction <= 0.0) continue;
-        r += wet.shift * axis;
+        const Vec3 middle = R * strip.middle;
+        const Wetting wet = wetting(strip, axis.z(), pose.position.z() + middle.z(), 0.0);
+        if (wet.length <= 0.0) continue;
+        const Vec3 r = middle + wet.shift * axis;
         block_.place(i, pose.position + r);
-        const double l = wet.fraction * strip.length;
         const Vec3 u = water_velocity(i, m, sea, current_factor, true);
-        add_point_load_to(sum.current, r, strip_drag(m, 0.5 * density_, l, axis, u));
-        if (with_buoyancy && m.displaced_area > 0.0)
-            add_point_load_to(sum.buoyancy, r,
-                              Vec3(0, 0, gravity_ * density_ * m.displaced_area * l));
+        add_point_load_to(sum.current, r, strip_drag(m, 0.5 * density_, wet.drag_area, axis, u));
+        if (with_buoyancy && displaces(m) && !m.flooded)
+            add_point_load_to(sum.buoyancy, volume_centre(middle, axis, wet),
+                              Vec3(0, 0, gravity_ * density_ * wet.volume));
     }
     for (std::size_t k = 0; k < faces_.size(); ++k) {
         const std::size_t i = strips_.size() + k;
@@ -132,15 +161,15 @@ void MemberLoads::add_current_to(MemberLoad& sum, const Sea& sea, double current
         if (block_.z[i] >= 0.0) continue;
         const double along =
             water_velocity(i, members_[face.member], sea, current_factor, true).dot(axis);
-        add_point_load_to(sum.current, r, face.factor * std::abs(along) * along * axis);
+        add_point_load_to(sum.current, r, face.drag * std::abs(along) * along * axis);
     }
 }
 
 double MemberLoads::design_volume() const {
     double volume = 0.0;
     for (const Strip& s : strips_)
-        volume += members_[s.member].displaced_area * s.length *
-                  wetting(s, s.axis.z(), s.middle.z(), 0.0).fraction;
+        if (displaces(members_[s.member]) && !members_[s.member].flooded)
+            volume += wetting(s, s.axis.z(), s.middle.z(), 0.0).volume;
     return volume;
 }
 

@@ -29,8 +29,12 @@ class MemberLoads {
     ///     added mass     -rho Ca A l (x_O'' + w' x r + w x (w x r))_n
     ///     piercing       d(rho Ca A l)/dt (u - v)_n                        P:2 footnote 4
     ///     end faces      1/2 rho Cd_end pi D^2/4 |(u-v)_t| (u-v)_t
+    ///                    + rho Ca_end 2/3 pi r^3 (a - x_O'' ...)_t
+    ///     flooded        -rho A l (x_O'' + w' x r + w x (w x r)), and no buoyancy
     ///
-    /// A is the displaced area. The footnote's velocity is taken against the water.
+    /// and along the axis with Ca_axial as across it with Ca. A l is the wet volume K:24. The
+    /// footnote's velocity is taken against the water. Froude-Krylov along the axis is the pressure
+    /// on end faces and taper, by Gauss' theorem.
     ///
     /// @param current_factor  0 .. 1: part of the current that acts
     /// @param R, w            attitude and angular velocity of the motion
@@ -47,7 +51,8 @@ class MemberLoads {
  private:
     struct Face {
         Vec3 place = Vec3::Zero(), axis = Vec3::UnitZ();  ///< body axes
-        double factor = 0.0;                              ///< 1/2 rho Cd pi D^2/4 [kg/m]
+        double drag = 0.0;                                ///< 1/2 rho Cd pi D^2/4 [kg/m]
+        double added_mass = 0.0;                          ///< along the axis [kg]
         std::size_t member = 0;
     };
     [[nodiscard]] Vec3 water_velocity(std::size_t i, const Member& m, const Sea& sea,

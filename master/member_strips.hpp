@@ -1,4 +1,5 @@
-// Members of the hull cut into strips, and how much of a strip is in the water.
+// Members of the hull cut into strips, and what of a strip is in the water: exact for a truncated
+// cone cut by a plane surface. K:24
 #pragma once
 
 #include <vector>
@@ -7,31 +8,42 @@
 
 namespace hawser::master {
 
-/// One strip of a member. Axis points from `from` to `to`; body axes.
+/// One strip of a member: a truncated cone. Axis points from `from` to `to`; body axes.
 struct Strip {
     Vec3 middle = Vec3::Zero();  ///< [m]
     Vec3 axis = Vec3::UnitZ();   ///< unit vector
     double length = 0.0;         ///< [m]
-    double width = 0.0;          ///< of the cylinder that pierces the surface [m]
+    double radius = 0.0;         ///< of the section that meets the surface, at the middle [m]
+    double taper = 0.0;          ///< its growth per length along the axis
+    double width = 0.0;          ///< drag width at the middle [m]
+    double width_taper = 0.0;    ///< its growth per length
     std::size_t member = 0;      ///< its index
 };
 
-/// Every member in equal strips of at most `longest` [m].
+/// Every member in equal strips of at most `longest` [m]. A drag width may be far wider than what
+/// displaces water: the surface meets the latter, where there is one.
 std::vector<Strip> strips_of(const std::vector<Member>& members, double longest);
 
 /// The wet part of a strip under a surface at height eta.
 struct Wetting {
-    double fraction = 0.0;  ///< 0 dry .. 1 submerged
-    double shift = 0.0;   ///< from the strip's middle to the middle of its wet part, along axis [m]
-    double height = 0.0;  ///< rise of the surface per part of the strip that it wets [m]
+    double length = 0.0;      ///< int f ds, f the wet part of the section [m]
+    double shift = 0.0;       ///< its middle, from the strip's middle along the axis [m]
+    double drag_area = 0.0;   ///< int width f ds [m2]
+    double volume = 0.0;      ///< int pi r^2 f ds [m3]
+    double along = 0.0;       ///< centre of that volume, from the strip's middle along the axis [m]
+    double up = 0.0;          ///< ... and across the axis, upwards [m]; not above 0
+    double waterplane = 0.0;  ///< d(volume)/d(eta): the section in the surface [m2]
+    bool whole = false;       ///< all of it is wet
 };
 
-/// Every section of the axis gets wet linearly as the surface passes its vertical extent c = sqrt(1
-/// - t_z^2) width (t: axis on world axes); over the strip, whose axis spans a = |t_z| length,
+/// K:24. Section s of the axis has its centre y(s) = eta - z(s) below the surface and the half
+/// height c = r sqrt(1 - t_z^2); with u = y/c between -1 and 1
 ///
-///     fraction = 1/a int clamp(1/2 + (eta - z)/c, 0, 1) dz
+///     f = 1/2 + (u sqrt(1 - u^2) + asin u)/pi,     int_wet h dA = -2/3 r^3 (1 - u^2)^(3/2)
 ///
-/// exact for an upright cylinder, without a jump for a lying one, and the same however a member is
+/// h: height across the axis. Integrated over the part where u is beyond 1 and over that between by
+/// Gauss' rules, the latter in an angle that takes away the roots at its ends: to 1e-10 of the
+/// whole. So a member has the second moment of its own waterplane, and is the same however it is
 /// cut.
 Wetting wetting(const Strip& strip, double axis_z, double middle_z, double eta);
 

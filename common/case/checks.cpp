@@ -74,6 +74,12 @@ class Checks {
         if (!p.members.empty() && p.quadratic_damping.norm() > 0.0) {
             warning("platform.damping.quadratic", "acts together with the drag of the members");
         }
+        if (hydro.database) counted_twice(p);
+        if (p.current_coefficients && std::any_of(p.members.begin(), p.members.end(),
+                                                  [](const Member& m) { return m.Cd > 0.0; })) {
+            warning("platform.current_coefficients",
+                    "the members' drag on the hull's own motion acts beside them");
+        }
         double highest = -1e300;
         for (std::size_t i = 0; i < p.members.size(); ++i) {
             const Member& m = p.members[i];
@@ -95,6 +101,45 @@ class Checks {
         }
         if (case_.environment.wind && !p.wind) {
             warning("environment.wind", "the platform has no wind area, so wind has no effect");
+        }
+    }
+
+    /// Does a member displace water where the database has its hull? A member of `inertia: false`
+    /// says where that is: another one more than half of whose axis below the surface runs inside
+    /// its cylinder would count twice.
+    void counted_twice(const Platform& p) {
+        const auto displaces = [](const Member& m) {
+            return m.displaced_area > 0.0 || m.displaced_area_to.value_or(0.0) > 0.0;
+        };
+        const auto inside = [](const Vec3& x, const Member& hull) {
+            const Vec3 along = hull.to - hull.from, from = x - hull.from;
+            const double q = from.dot(along) / along.squaredNorm();
+            const double width =
+                std::lerp(hull.diameter, hull.diameter_to.value_or(hull.diameter), q);
+            return q > 0.0 && q < 1.0 && (from - q * along).norm() < 0.5 * width;
+        };
+        constexpr int places = 50;
+        for (std::size_t i = 0; i < p.members.size(); ++i) {
+            const Member& m = p.members[i];
+            if (!displaces(m)) continue;
+            for (const Member& hull : p.members) {
+                if (hull.inertia) continue;
+                int wet = 0, within = 0;
+                for (int k = 0; k < places; ++k) {
+                    const Vec3 x = m.from + (k + 0.5) / places * (m.to - m.from);
+                    if (x.z() > 0.0) continue;
+                    ++wet;
+                    if (inside(x, hull)) ++within;
+                }
+                if (2 * within <= wet) continue;
+                error(
+                    fmt::format("platform.members[{}]", i),
+                    fmt::format("displaces water inside \"{}\", whose inertia is false because the "
+                                "database contains it: its volume would count twice; give it "
+                                "inertia: false",
+                                hull.name));
+                break;
+            }
         }
     }
 

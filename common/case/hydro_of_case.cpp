@@ -22,7 +22,14 @@ double displaced_mass(const Case& input, const Platform& p, double volume) {
         const double top = std::max(m.from.z(), m.to.z()), low = std::min(m.from.z(), m.to.z());
         const double length = (m.to - m.from).norm();
         const double wet = top <= 0.0 ? 1.0 : low >= 0.0 ? 0.0 : -low / (top - low);
-        volume += m.displaced_area * length * wet;
+        if (m.flooded) continue;
+        // A truncated cone from its lower end up to the surface.
+        const double from = std::sqrt(m.displaced_area);
+        const double to = std::sqrt(m.displaced_area_to.value_or(m.displaced_area));
+        const bool turned = m.to.z() < m.from.z();
+        const double bottom = turned ? to : from;
+        const double cut = bottom + wet * ((turned ? from : to) - bottom);
+        volume += (bottom * bottom + bottom * cut + cut * cut) / 3.0 * length * wet;
     }
     return input.environment.water.density * volume;
 }

@@ -80,13 +80,13 @@ struct Member {
     std::string name;
     Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< [m]
     double diameter = 0.0;                        ///< drag width, at `from` [m]
-    std::optional<double> diameter_to;            ///< at `to`, tapered between; empty: the same
+    std::optional<double> diameter_to = {};       ///< at `to`, tapered between; empty: the same
     double Cd = 0.0, axial_Cd = 0.0;              ///< both on diameter x wetted length
     double end_Cd_from = 0.0, end_Cd_to = 0.0;    ///< on pi D^2/4
     bool inertia = true;                          ///< Froude-Krylov, added mass and buoyancy act
     double displaced_area = 0.0;  ///< section that displaces water [m2] (resolved default)
-    std::optional<double> displaced_area_to;    ///< at `to`; empty: the same
-    double Ca = 1.0;                            ///< added mass coefficient on displaced_area
+    std::optional<double> displaced_area_to = {};  ///< at `to`; empty: the same
+    double Ca = 1.0;                               ///< added mass coefficient on displaced_area
     double axial_Ca = 0.0;                      ///< of its skin along the axis, on displaced_area
     double end_Ca_from = 0.0, end_Ca_to = 0.0;  ///< of the end faces on 2/3 pi r^3, along the axis
     bool flooded = false;  ///< free-flooding: the water inside moves with it and carries nothing
@@ -113,9 +113,9 @@ using HeadingTable = std::vector<std::array<double, 4>>;
 
 struct WindArea {
     double area = 0.0, centre_height = 0.0, Cs = 1.0;  ///< [m2], above O [m], [-]
-    std::optional<double> side_area;                   ///< of Cy and Cyaw [m2]; empty: as area
+    std::optional<double> side_area = {};              ///< of Cy and Cyaw [m2]; empty: as area
     double length = 0.0;                               ///< of Cyaw [m]
-    HeadingTable coefficients;                         ///< instead of Cs
+    HeadingTable coefficients = {};                    ///< instead of Cs
 
     bool operator==(const WindArea&) const = default;
 };
@@ -123,8 +123,9 @@ struct WindArea {
 /// Load of a current on the whole hull by coefficients on draft x length (OCIMF's form).
 struct CurrentCoefficients {
     double draft = 0.0, length = 0.0;  ///< [m]
-    std::optional<double> depth;  ///< where it acts and the current is taken [m]; empty: draft/2
-    HeadingTable coefficients;
+    std::optional<double> depth =
+        {};  ///< where it acts and the current is taken [m]; empty: draft/2
+    HeadingTable coefficients = {};
 
     bool operator==(const CurrentCoefficients&) const = default;
 };
@@ -135,14 +136,14 @@ using SixSeries = std::vector<std::array<double, 7>>;
 /// A force and a moment given by the user, constant or in time.
 struct AppliedForce {
     std::string name;
-    std::optional<Vec3> force, moment;          ///< [N], [N.m]
-    Vec3 position = Vec3::Zero();               ///< where it acts, platform axes [m]
-    bool on_platform_axes = false;              ///< else on the world's
-    std::vector<std::array<double, 2>> factor;  ///< time [s], factor; straight between
-    std::optional<double> period;               ///< times cos(2 pi t/period + phase)
-    double phase = 0.0;                         ///< [rad]
-    std::string path;                           ///< file instead of force and moment
-    SixSeries rows;                             ///< what it holds [s, N, N.m]
+    std::optional<Vec3> force, moment;               ///< [N], [N.m]
+    Vec3 position = Vec3::Zero();                    ///< where it acts, platform axes [m]
+    bool on_platform_axes = false;                   ///< else on the world's
+    std::vector<std::array<double, 2>> factor = {};  ///< time [s], factor; straight between
+    std::optional<double> period = {};               ///< times cos(2 pi t/period + phase)
+    double phase = 0.0;                              ///< [rad]
+    std::string path = {};                           ///< file instead of force and moment
+    SixSeries rows = {};                             ///< what it holds [s, N, N.m]
 
     bool operator==(const AppliedForce&) const = default;
 };
@@ -157,8 +158,8 @@ struct HarmonicMotion {
 /// The platform goes as told, whatever the loads.
 struct PrescribedMotion {
     std::array<std::optional<HarmonicMotion>, 6> harmonic;
-    std::string path;  ///< file instead of them
-    SixSeries rows;    ///< what it holds [s, m, rad]
+    std::string path = {};  ///< file instead of them
+    SixSeries rows = {};    ///< what it holds [s, m, rad]
 
     bool operator==(const PrescribedMotion&) const = default;
 };

@@ -123,8 +123,7 @@ struct WindArea {
 /// Load of a current on the whole hull by coefficients on draft x length (OCIMF's form).
 struct CurrentCoefficients {
     double draft = 0.0, length = 0.0;  ///< [m]
-    std::optional<double> depth =
-        {};  ///< where it acts and the current is taken [m]; empty: draft/2
+    std::optional<double> depth = {};  ///< at which it acts, of that current [m]; empty: draft/2
     HeadingTable coefficients = {};
 
     bool operator==(const CurrentCoefficients&) const = default;
@@ -136,7 +135,7 @@ using SixSeries = std::vector<std::array<double, 7>>;
 /// A force and a moment given by the user, constant or in time.
 struct AppliedForce {
     std::string name;
-    std::optional<Vec3> force, moment;               ///< [N], [N.m]
+    std::optional<Vec3> force = {}, moment = {};     ///< [N], [N.m]
     Vec3 position = Vec3::Zero();                    ///< where it acts, platform axes [m]
     bool on_platform_axes = false;                   ///< else on the world's
     std::vector<std::array<double, 2>> factor = {};  ///< time [s], factor; straight between
@@ -157,7 +156,7 @@ struct HarmonicMotion {
 
 /// The platform goes as told, whatever the loads.
 struct PrescribedMotion {
-    std::array<std::optional<HarmonicMotion>, 6> harmonic;
+    std::array<std::optional<HarmonicMotion>, 6> harmonic = {};
     std::string path = {};  ///< file instead of them
     SixSeries rows = {};    ///< what it holds [s, m, rad]
 

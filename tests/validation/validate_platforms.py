@@ -257,7 +257,7 @@ def oc3():
         equilibrium("B3", OC3, ", WAMIT files", **oc3_reference())
     offset_curve("B3", OC3, "oc3_surge_offset.csv")
     wanted = (("surge", 5, 0.05, 800, 125, 4e-2), ("sway", 5, 0.05, 800, 125, 4e-2), ("heave", 2, 0.2, 400, 31, 2e-2),
-              ("roll", 3, 0.21, 400, 29.4, 2e-2), ("pitch", 3, 0.21, 400, 29.4, 2e-2))
+              ("roll", 3, 0.21, 400, 29.4, 2e-2), ("pitch", 3, 0.21, 400, 29.4, 2e-2), ("yaw", 3, 0.76, 100, 8.2, 2e-2))
     natural_periods("B3", OC3, "own data", wanted)
     if REFERENCE:
         natural_periods("B3", OC3, "WAMIT files", wanted, **oc3_reference())

@@ -630,12 +630,18 @@ const Table& platform_keys() {
         k.text("name", &Platform::name, "Name in result paths and in end_a.platform")
             .def("platform")
             .eg("spar");
-        k.number("mass", &Platform::mass, mass,
-                 "Mass; auto: (acting buoyancy - static line loads)/g, floats at its design draft")
-            .or_word("auto")
-            .follows("none; required without prescribed_motion")
+        Key& mass_key = k.number(
+            "mass", &Platform::mass, mass,
+            "Mass; auto: (acting buoyancy - static line loads)/g, floats at its design draft");
+        mass_key.or_word("auto")
+            .follows("0 with prescribed_motion, else required")
             .at_least(0)
             .eg("auto");
+        mass_key.get = [](const void* object) -> Value {
+            const std::optional<double>& given = static_cast<const PlatformKeys*>(object)->mass;
+            if (given) return *given;
+            return std::string("auto");
+        };
         k.number("displacement", &Platform::displacement, mass,
                  "What the displacement is believed to be; compared with the acting buoyancy, "
                  "never acts")

@@ -98,7 +98,7 @@ TEST(PlatformLedger, ShowsALoadThatIsCountedTwice) {
 
 TEST(PlatformLedger, ShowsAWrongMomentArm) {
     const Vec3 arm(0, 0, 5);  // the mooring's loads as if its fairleads were 5 m higher
-    const Vec3 force = ledger_with({}).mean[11].head<3>();
+    const Vec3 force = ledger_with({}).mean[load_count].head<3>();
     Vec6 error = Vec6::Zero();
     error.tail<3>() = arm.cross(force);
     const auto fault = [&](HullLoads&, Reply& lines) {
@@ -110,9 +110,9 @@ TEST(PlatformLedger, ShowsAWrongMomentArm) {
 
 TEST(PlatformLedger, ShowsAFamilyOfLinesThatIsLeftOut) {
     const LedgerTable right = ledger_with({});
-    ASSERT_EQ(right.components[12], "riser");
+    ASSERT_EQ(right.components[load_count + 1], "riser");
     const auto fault = [](HullLoads&, Reply& lines) { lines.lines[1].wrench.setZero(); };
-    expect_shown(fault, -right.mean[12], {0, 1, 2, 3, 4, 5});
+    expect_shown(fault, -right.mean[load_count + 1], {0, 1, 2, 3, 4, 5});
 }
 
 TEST(PlatformLedger, HasHullLoadsAndFamiliesAndBeginsWhenTheStatisticsDo) {
@@ -143,12 +143,12 @@ TEST(PlatformLedger, HasHullLoadsAndFamiliesAndBeginsWhenTheStatisticsDo) {
     add(4, 3.0, 1e9, 8.0);
     ASSERT_TRUE(ledger.started());
     const LedgerTable table = ledger.table();
-    ASSERT_EQ(table.components.size(), 13U);
-    EXPECT_EQ(table.components[11], "scr");
-    EXPECT_EQ(table.components[12], "wave1");
+    ASSERT_EQ(table.components.size(), load_count + 2U);
+    EXPECT_EQ(table.components[load_count], "scr");
+    EXPECT_EQ(table.components[load_count + 1], "wave1");
     // (6 + 2 x 3 - 2 x 6 + 12) / 6
     EXPECT_LT((table.mean[0] - 2.0 * Vec6::Ones()).norm(), 1e-14);
-    EXPECT_LT((table.mean[11] - 11.0 * Vec6::Ones()).norm(), 1e-13);
+    EXPECT_LT((table.mean[load_count] - 11.0 * Vec6::Ones()).norm(), 1e-13);
     EXPECT_LT((table.mean[12] - 100.0 * Vec6::Ones()).norm(), 1e-12);
     EXPECT_EQ(table.momentum, Vec6(4.0 * Vec6::Ones()));
     EXPECT_EQ(table.from, 1.0);

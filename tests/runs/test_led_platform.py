@@ -26,6 +26,7 @@ lines:
     end_b: {anchor: {position: [150 m, 0 m]}}
     sections: [{type: chain, length: 190 m, elements: 12}]
 analysis: {dynamics: {duration: 20 s, ramp: 8 s, statistics_from: 10 s, steps: {platform: 0.25 s, lines: 0.05 s}}}
+output: {channels: [platform.motions, platform.loads]}
 """
 
 LED = CHAIN + """

@@ -15,7 +15,7 @@ import yaml
 # let pass, such as a repeated key): the program refuses these, a schema cannot.
 BEYOND_A_SCHEMA = {
     "below_the_seabed", "current_profile", "database", "displacement", "flex_without_stiffness",
-    "free_end_a", "full_qtf", "guide_out_of_reach", "limp_clamp", "line_model",
+    "free_end_a", "full_qtf", "guide_out_of_reach", "led_twice", "limp_clamp", "line_model",
     "loops", "missing_file", "one_point", "short_line", "stiffness_ratio", "tensioned_riser", "times",
     "two_lines_of_one_name", "unknown_names", "unknown_parameter",
 }

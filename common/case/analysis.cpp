@@ -17,12 +17,14 @@ const Table& statics_keys() {
                 "Mean loads in the static solution, on in full from the start; one left out is "
                 "ramped")
             .def("[current, wind_mean, drift_mean]");
-        k.number("tolerance", &Statics::tolerance, dimension::number,
-                 "Relative tolerance of the platform's equilibrium; lines are always solved to 1e-9 m")
+        k.number(
+             "tolerance", &Statics::tolerance, dimension::number,
+             "Relative tolerance of the platform's equilibrium; lines are always solved to 1e-9 m")
             .def("1.0e-6")
             .above(0)
             .at_most(0.01);
-        k.integer("max_iterations", &Statics::max_iterations, "Limit of Newton iterations for the platform")
+        k.integer("max_iterations", &Statics::max_iterations,
+                  "Limit of Newton iterations for the platform")
             .def("200")
             .at_least(1);
         k.only("start", "catenary", {"file"}, "First guess of the lines' shapes");

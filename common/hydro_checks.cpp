@@ -34,6 +34,7 @@ bool is_long(const HydroData& d, double w) {
 /// Which of these frequencies are of long waves; all of them if hardly any is.
 std::vector<char> long_ones(const HydroData& d, const std::vector<double>& frequencies) {
     std::vector<char> list;
+    list.reserve(frequencies.size());
     for (const double w : frequencies) list.push_back(is_long(d, w) ? 1 : 0);
     if (std::count(list.begin(), list.end(), 1) < 3) list.assign(list.size(), 1);
     return list;

@@ -152,7 +152,7 @@ class Checks {
             warning(path, fmt::format("floats: submerged weight {:.4g} N/m", submerged));
         }
         // EA/w is the length whose weight stretches it by half: 2.6e6 m of steel
-        const double stiff = type.EA / (type.mass * case_.environment.water.gravity);
+        const double stiff = type.EA / (type.mass * 9.80665);
         if (type.mass > 0.0 && stiff > 1e13)
             error(path,
                   fmt::format("EA = {:.3g} N carries the weight of {:.1g} m of it: its stretch "

@@ -196,10 +196,8 @@ class BemioSet {
             return;
         }
         const double scale = scaled_ ? 1.0 : set_.data.density * set_.data.gravity;
-        set_.stiffness = Mat6::Zero();
-        for (int i = 0; i < 6; ++i)
-            for (int j = 0; j < 6; ++j)
-                (*set_.stiffness)(i, j) = scale * C[static_cast<std::size_t>(6 * i + j)];
+        set_.stiffness =
+            scale * Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(C.data());
     }
 
     Reading& r_;

@@ -392,7 +392,7 @@ def hemisphere():
     source = Path(REFERENCE, "hemisphere_drift")
     with tempfile.TemporaryDirectory() as folder:
         stems = {}
-        for name, drifts in ((".7", [".7"]), (".8", [".8"]), (".9", [".9"]), ("all", [".7", ".8", ".9"])):
+        for name, drifts in ((".7", [".7"]), (".8", [".8"]), ("all", [".7", ".8", ".9"])):
             stems[name] = Path(folder, "set" + name.replace(".", ""))
             for ending in (".1", ".3", ".hst", *drifts):
                 os.symlink(source / ("sphere" + ending), str(stems[name]) + ending)

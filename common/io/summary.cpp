@@ -343,7 +343,7 @@ std::string limits_text(const Case& input) {
             "vibration;\n"
             "          static solutions without friction of the seabed\n";
     }
-    out += "sea:      linear waves, unidirectional; plane seabed\n";
+    out += "sea:      linear waves; plane seabed\n";
     return out;
 }
 

@@ -398,6 +398,19 @@ TEST(CaseFile, ValuesCanBeSet) {
     EXPECT_THROW(read(spar, {{"environment..Hs", "12 m"}}), InputError);
 }
 
+TEST(CaseFile, ADerivedCaseNeedNotSayItsFormatAgain) {
+    const fs::path path = fs::path(testing::TempDir()) / "hawser_derived.yml";
+    std::ofstream(path) << "base: " << spar.string() << "\ntitle: derived\n";
+    for (const std::string& note : read_case(path).notes)
+        EXPECT_EQ(note.find("is not the first key"), std::string::npos) << note;
+    std::ofstream(path) << "title: late\nformat: 1\nbase: " << spar.string() << "\n";
+    bool told = false;
+    for (const std::string& note : read_case(path).notes)
+        told = told || note.find("is not the first key") != std::string::npos;
+    EXPECT_TRUE(told);
+    fs::remove(path);
+}
+
 TEST(CaseFile, NullTakesAKeyAway) {
     const Case c = read(spar, {{"environment.wind", "null"}, {"environment.current", "~"}});
     EXPECT_FALSE(c.environment.wind || c.environment.current);

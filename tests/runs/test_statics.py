@@ -35,6 +35,17 @@ def statics(*arguments):
 
 
 class RestoringCurve(unittest.TestCase):
+    def test_without_lines_there_is_none(self):
+        done = hawser("statics", HEAVE, "--offset", "0:10:5")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("there are no lines in this case", done.stderr)
+
+    def test_marks_lines_above_their_breaking_load(self):
+        weak = ("--set", "line_types.chain.breaking_load=4000 kN")
+        said = hawser("statics", SPAR, "--offset", "0,40", "--lines", "ml*", *weak).stdout
+        rows = [line for line in said.splitlines() if line.lstrip().startswith(("0.00 ", "40.00 "))]
+        self.assertEqual([row.rstrip().endswith("!") for row in rows[-2:]], [False, True], said)
+
     def test_of_the_truss_spar_is_that_of_the_elastic_catenary(self):
         """1 %: the table is rounded to four digits; the rods have bending of none, a soft bed and
         44 elements a line, together 0.1 %."""

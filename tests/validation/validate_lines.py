@@ -20,28 +20,13 @@ import h5py
 import numpy as np
 
 import lumped_mass
+import rows as table
+from rows import row, skip
 
 HAWSER, CASES = sys.argv[1], Path(sys.argv[2])
 REFERENCE = os.environ.get("HAWSER_REFERENCE")
 # worst error of the rows that are explained, of the range, with a twentieth of it to spare
 A16_MISS, A18_MISS = 1.05 * 0.076, 1.05 * 0.040
-good = True
-
-
-def row(label, what, expected, got, tolerance, relative=True, scale=None, explained=None):
-    """`scale`: the error is relative to it instead of the expected value. A row that is `explained` may
-    miss by that much: tests/README.md says why, and rows of the same label show who is right."""
-    global good
-    error = got - expected
-    if scale:
-        error /= scale
-    elif relative:
-        error /= abs(expected)
-    ok = bool(abs(error) <= tolerance)
-    known = bool(explained is not None and abs(error) <= explained)
-    good &= ok or known
-    verdict = "yes" if ok else "NO, explained" if known else "NO"
-    print(f"{label} | {what} | {expected:.7g} | {got:.7g} | {error:.2g} | {tolerance:.2g} | {verdict}", flush=True)
 
 
 def series(*path):
@@ -52,10 +37,6 @@ def series(*path):
         table = list(csv.reader(file))
     numbers = np.array([[float(x) for x in line] for line in table[1:]])
     return {name: numbers[:, i] for i, name in enumerate(table[0])}
-
-
-def skip(label, what):
-    print(f"{label} | {what} | - | - | - | - | SKIPPED", flush=True)
 
 
 class Result:
@@ -332,7 +313,7 @@ def main():
     for rows in (anchor_line, reference_line, towed_cable, chain, chain_by_lumped_masses, jumper, moved_lines, riser, natural_periods):
         if len(sys.argv) < 4 or rows.__name__ in sys.argv[3:]:
             rows()
-    return 0 if good else 1
+    return 0 if table.good else 1
 
 
 if __name__ == "__main__":

@@ -31,13 +31,14 @@ OrderMessage pack(const Order& o) {
     m[5] = o.current;
     m[6] = o.t0;
     m[7] = o.t1;
-    put(put(&m[8], o.from), o.to);
-    m[32] = o.frequency;
+    m[8] = o.frequency;
+    double* to = &m[9];
+    for (std::size_t k = 0; k < o.from.size(); ++k) to = put(put(to, o.from[k]), o.to[k]);
     return m;
 }
 
 Order unpack(const OrderMessage& m) {
-    return {.ask = static_cast<Ask>(static_cast<int>(m[0])),
+    Order o{.ask = static_cast<Ask>(static_cast<int>(m[0])),
             .keep_previous = m[1] != 0.0,
             .sample = m[2] != 0.0,
             .snapshot = m[3] != 0.0,
@@ -45,12 +46,15 @@ Order unpack(const OrderMessage& m) {
             .current = m[5] != 0.0,
             .t0 = m[6],
             .t1 = m[7],
-            .frequency = m[32],
-            .from = motion_at(&m[8]),
-            .to = motion_at(&m[20])};
+            .frequency = m[8]};
+    for (std::size_t k = 0; k < o.from.size(); ++k) {
+        o.from[k] = motion_at(&m[9 + 24 * k]);
+        o.to[k] = motion_at(&m[21 + 24 * k]);
+    }
+    return o;
 }
 
-void pack_reply_to(const Reply& reply, Ask ask, std::span<double> out) {
+void pack_reply_to(const Reply& reply, Ask ask, std::span<double> out, bool between) {
     double* to = out.data();
     *to++ = static_cast<double>(static_cast<int>(reply.status.code));
     *to++ = reply.status.line;
@@ -65,6 +69,12 @@ void pack_reply_to(const Reply& reply, Ask ask, std::span<double> out) {
         *to++ = line.mismatch_at;
         if (replies_stiffness(ask))
             to = std::copy(line.stiffness.data(), line.stiffness.data() + 36, to);
+        if (!between) continue;
+        const SecondLoad& second = line.second;
+        to = std::copy(second.wrench.data(), second.wrench.data() + 6, to);
+        if (!replies_stiffness(ask)) continue;
+        for (const Mat6* S : {&second.stiffness, &second.on_first, &second.of_first})
+            to = std::copy(S->data(), S->data() + 36, to);
     }
 }
 
@@ -77,14 +87,22 @@ Status unpack_status(std::span<const double> m) {
             .iterations = static_cast<int>(m[5])};
 }
 
-LineLoad unpack_line(std::span<const double> message, Ask ask, int line) {
-    const double* from = message.data() + status_numbers + line * numbers_per_line(ask);
+LineLoad unpack_line(std::span<const double> message, Ask ask, int line, bool between) {
+    const double* from = message.data() + status_numbers + line * numbers_per_line(ask, between);
     LineLoad load;
     load.wrench = Vec6(from);
     load.end_tension = from[6];
     load.impulse_mismatch = from[7];
     load.mismatch_at = static_cast<int>(from[8]);
     if (replies_stiffness(ask)) load.stiffness = Mat6(from + 9);
+    if (!between) return load;
+    from += replies_stiffness(ask) ? 45 : 9;
+    SecondLoad& second = load.second;
+    second.wrench = Vec6(from);
+    if (!replies_stiffness(ask)) return load;
+    second.stiffness = Mat6(from + 6);
+    second.on_first = Mat6(from + 42);
+    second.of_first = Mat6(from + 78);
     return load;
 }
 

@@ -17,6 +17,7 @@ struct ConstraintLayout {
     bool gap;  ///< of a slider: contact instead of a spring
     std::size_t path, cylinders;
     int other;  ///< of a tie: which line of the bundle; -1: none
+    int hull;   ///< which of the line's platforms
     bool operator==(const ConstraintLayout&) const = default;
 };
 
@@ -27,10 +28,12 @@ struct Layout {
     Joint joint_a, joint_b;
     std::vector<int> attachment_nodes;
     std::vector<ConstraintLayout> constraints;
+    int first, second, hull_a, hull_b;  ///< platforms of the line, and which of them the ends have
     bool operator==(const Layout&) const = default;
 };
 
-Layout layout_of(const Line& line, const std::vector<int>& bundle, LineModel usual) {
+Layout layout_of(const Line& line, const std::vector<int>& bundle, LineModel usual,
+                 const Touched& touched) {
     const LineMesh mesh = mesh_of(line);
     std::vector<ConstraintLayout> constraints;
     for (const LineConstraint& c : line.constraints)
@@ -40,7 +43,8 @@ Layout layout_of(const Line& line, const std::vector<int>& bundle, LineModel usu
              c.other_line < 0
                  ? -1
                  : static_cast<int>(std::lower_bound(bundle.begin(), bundle.end(), c.other_line) -
-                                    bundle.begin())});
+                                    bundle.begin()),
+             touched.place_of(c.platform)});
     return {.model = line.model.value_or(usual),
             .elements = mesh.elements(),
             .end_a = line.end_a.kind,
@@ -48,7 +52,11 @@ Layout layout_of(const Line& line, const std::vector<int>& bundle, LineModel usu
             .joint_a = line.end_a.joint,
             .joint_b = line.end_b.joint,
             .attachment_nodes = mesh.attachment_node,
-            .constraints = std::move(constraints)};
+            .constraints = std::move(constraints),
+            .first = touched.first,
+            .second = touched.second,
+            .hull_a = touched.place_of(line.end_a.platform),
+            .hull_b = touched.place_of(line.end_b.platform)};
 }
 
 /// Work of a line in element steps per simulated second; a pack steps at its slowest. Four passes
@@ -85,18 +93,49 @@ std::vector<std::vector<int>> bundles_of(const Case& input) {
     return bundles;
 }
 
+std::vector<Touched> touched_platforms(const Case& input) {
+    std::vector<Touched> out(input.lines.size());
+    for (const std::vector<int>& bundle : bundles_of(input)) {
+        Touched its;
+        bool any = false;
+        const auto touch = [&](int platform) {
+            if (!any)
+                its.first = platform;
+            else if (platform != its.first && !its.two())
+                its.second = platform;
+            any = true;
+        };
+        for (const int i : bundle) {
+            const Line& line = input.lines[static_cast<std::size_t>(i)];
+            if (line.end_a.kind == EndKind::platform) touch(line.end_a.platform);
+            if (line.end_b.kind == EndKind::platform) touch(line.end_b.platform);
+            for (const LineConstraint& c : line.constraints)
+                if (c.on_platform && c.other_line < 0) touch(c.platform);
+        }
+        for (const int i : bundle) out[static_cast<std::size_t>(i)] = its;
+    }
+    return out;
+}
+
+bool joins_platforms(const Case& input) {
+    const std::vector<Touched> all = touched_platforms(input);
+    return std::any_of(all.begin(), all.end(), [](const Touched& t) { return t.two(); });
+}
+
 std::vector<Pack> packs_of(const Case& input) {
     struct Group {
         std::vector<Layout> layouts;  ///< of the bundle's lines
         std::vector<std::vector<int>> bundles;
     };
     std::vector<Group> groups;
+    const std::vector<Touched> touched = touched_platforms(input);
     for (const std::vector<int>& bundle : bundles_of(input)) {
         std::vector<Layout> layouts;
         layouts.reserve(bundle.size());
         for (const int i : bundle)
             layouts.push_back(layout_of(input.lines[static_cast<std::size_t>(i)], bundle,
-                                        input.analysis.dynamics.line_model));
+                                        input.analysis.dynamics.line_model,
+                                        touched[static_cast<std::size_t>(i)]));
         const auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
             return g.layouts == layouts && g.bundles.size() < lanes_per_pack;
         });

@@ -8,6 +8,20 @@
 
 namespace hawser {
 
+/// The platforms that a line touches, itself or by lines that it is tied to. Those of one bundle
+/// have the same.
+struct Touched {
+    int first = 0, second = -1;  ///< indices in the case; second -1: one platform, or none
+    [[nodiscard]] bool two() const { return second >= 0; }
+    /// 0 or 1: the first or the second of the line's.
+    [[nodiscard]] int place_of(int platform) const { return platform == second ? 1 : 0; }
+};
+
+/// Of every line. The first platform is that of the lowest line's end A where it has one.
+std::vector<Touched> touched_platforms(const Case& input);
+/// Does any line of the case touch two platforms?
+bool joins_platforms(const Case& input);
+
 inline constexpr int lanes_per_pack = 4;
 
 /// Up to four lines that are advanced together. A rod's bits do not depend on its neighbours.

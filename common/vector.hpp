@@ -11,6 +11,7 @@ using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
+using Mat12 = Eigen::Matrix<double, 12, 12>;
 
 /// Cross-product matrix: skew(a) b = a x b.
 inline Mat3 skew(const Vec3& a) {

@@ -91,7 +91,7 @@ LineStiffness line_stiffness_of(Lines& lines, const PlatformMotion& pose) {
         Order order;
         order.ask = Ask::impedance;
         order.frequency = omega;
-        order.from = order.to = pose;
+        order.from[0] = order.to[0] = pose;
         lines.send(order);
         Mat6 S = Mat6::Zero();
         for (const LineLoad& line : lines.receive().lines) S += line.stiffness;

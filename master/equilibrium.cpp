@@ -18,7 +18,7 @@ const Reply& ask(Lines& lines, const PlatformMotion& pose, bool current) {
     Order order;
     order.ask = Ask::equilibrium;
     order.current = current;
-    order.from = order.to = pose;
+    order.from[0] = order.to[0] = pose;
     lines.send(order);
     return lines.receive();
 }

@@ -6,7 +6,8 @@
 
 namespace hawser::master {
 
-/// Advances platform and lines together with the platform step D [s] from the static start y.
+/// Advances platform - or platforms, Y then a JointState - and lines together with the platform
+/// step D [s] from the static start y.
 ///
 ///      0  |
 ///     1/2 | 1/2
@@ -18,15 +19,15 @@ namespace hawser::master {
 /// `record(step, t, y)` sees the state at every t = step D with the evaluation there
 /// (`rate.loads()` ...), sets the flags of the next order and returns false to end the run.
 /// @return the last state
-template <class Platform, class Record>
-State paper_loop(PaperRate<Platform>& rate, State y, double D, Record&& record) {
-    State k1 = rate.at_start(y);  // lines' forces at the static start
+template <class Platform, class Y, class Record>
+Y paper_loop(PaperRate<Platform, Y>& rate, Y y, double D, Record&& record) {
+    Y k1 = rate.at_start(y);  // lines' forces at the static start
     for (int step = 0; record(step, step * D, y); ++step) {
         const double t = step * D, half = (step + 0.5) * D, end = (step + 1) * D;  // no running sum
-        const State k2 = rate(1, t, y, half, y + D / 2 * k1);                      // P:3 step 1
-        const State k3 = rate(2, t, y, half, y + D / 2 * k2);                      // P:3 step 2
-        const State k4 = rate(3, t, y, end, y + D * k3);                           // P:3 step 3
-        const State y1 = rate.led(end, y + D / 6 * (k1 + 2 * k2 + 2 * k3 + k4));   // P:3 step 4 ...
+        const Y k2 = rate(1, t, y, half, y + D / 2 * k1);                          // P:3 step 1
+        const Y k3 = rate(2, t, y, half, y + D / 2 * k2);                          // P:3 step 2
+        const Y k4 = rate(3, t, y, end, y + D * k3);                               // P:3 step 3
+        const Y y1 = rate.led(end, y + D / 6 * (k1 + 2 * k2 + 2 * k3 + k4));       // P:3 step 4 ...
         k1 = rate(4, t, y, end, y1);  // ... whose pass the lines keep: first rate of the next step
         rate.keep();
         y = y1;

@@ -5,6 +5,7 @@
 
 #include "io/link.hpp"
 #include "lines.hpp"
+#include "packing.hpp"
 
 namespace hawser::master {
 
@@ -15,7 +16,10 @@ class RemoteLines final : public Lines {
  public:
     /// @param lines_of_rank for each rank the lines it computes, in ascending order; empty for rank
     /// 0
-    RemoteLines(const io::Link& link, std::vector<std::vector<int>> lines_of_rank);
+    /// @param platforms  in the case
+    /// @param touched    by each line; empty: by all the same one
+    RemoteLines(const io::Link& link, std::vector<std::vector<int>> lines_of_rank,
+                int platforms = 1, const std::vector<Touched>& touched = {});
 
     void send(const Order& order) override;
     const Reply& receive() override;
@@ -26,6 +30,9 @@ class RemoteLines final : public Lines {
  private:
     const io::Link& link_;
     std::vector<std::vector<int>> lines_of_rank_;
+    std::size_t order_numbers_;
+    std::vector<Touched> touched_;
+    bool between_ = false;  ///< a line lies between two platforms
     Ask ask_ = Ask::stop;
     std::vector<int> counts_;
     std::vector<double> message_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "frames.hpp"
+#include "lines.hpp"
 
 namespace hawser::master {
 
@@ -20,6 +21,16 @@ constexpr int filter_index(int motion) { return 12 + 4 * motion; }
 /// P:1  The platform's motion within the state.
 inline PlatformMotion motion_of(const State& s) {
     return {s.segment<3>(0), s.segment<3>(3), s.segment<3>(6), s.segment<3>(9)};
+}
+
+/// The states of several platforms, one after the other, integrated as one; no step allocates.
+constexpr int state_numbers = State::RowsAtCompileTime;
+using JointState = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_platforms * state_numbers, 1>;
+
+/// State of platform k.
+inline const State& state_of(const State& s, int) { return s; }
+inline State state_of(const JointState& s, int k) {
+    return s.segment<state_numbers>(static_cast<Eigen::Index>(k) * state_numbers);
 }
 
 /// Puts a motion into the first 12 numbers; the filter is left as it is.

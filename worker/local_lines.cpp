@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "message.hpp"
 #include "packing.hpp"
 #include "rod/at_rest.hpp"
 #include "rod/modes.hpp"
@@ -14,6 +15,7 @@ namespace worker {
 
 LocalLines::LocalLines(const Case& input, const std::vector<int>& packs, io::SeriesWriter* results)
     : input_(&input),
+      platforms_(std::max(1, input.platform_count())),
       sea_(input.environment, input.analysis.dynamics.ramp, input.analysis.dynamics.depth_filter,
            !input.analysis.statics.current) {
     const std::vector<Pack> all = packs_of(input);
@@ -56,19 +58,37 @@ void LocalLines::send(const Order& order) {
 
 const Reply& LocalLines::receive() {
     reply_.status = {};
-    const MotionSpline platform(order_.t0, order_.from, order_.t1, order_.to);
+    PerPlatform<MotionSpline> platforms;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(platforms_); ++k)
+        platforms[k] = MotionSpline(order_.t0, order_.from[k], order_.t1, order_.to[k]);
     std::size_t p = 0;
     for (RodGroup<Quad>& group : groups_) {
-        if (order_.ask == Ask::run_to) take_status(group.pass(order_.t0, order_.t1, platform));
-        if (order_.ask == Ask::equilibrium)
-            take_status(group.equilibrium(order_.to, order_.current));
+        const Touched& touched = group.packs().front().touched();
+        const auto first = static_cast<std::size_t>(touched.first),
+                   second = static_cast<std::size_t>(touched.two() ? touched.second : 0);
+        if (touched.two() && order_.ask == Ask::run_to) group.follow_second(platforms[second]);
+        if (order_.ask == Ask::run_to)
+            take_status(group.pass(order_.t0, order_.t1, platforms[first]));
+        if (order_.ask == Ask::equilibrium) {
+            if (touched.two()) group.hold_second(order_.to[second]);
+            take_status(group.equilibrium(order_.to[first], order_.current));
+        }
         if (order_.ask == Ask::impedance) group.swing(order_.frequency);
         for (std::size_t k = 0; k < group.packs().size(); ++k, ++p) {
             for (int i = 0; i < static_cast<int>(place_[p].size()); ++i) {
                 LineLoad& load = reply_.lines[place_[p][static_cast<std::size_t>(i)]];
                 load = load_of(packs_[p], i);
-                if (order_.ask == Ask::equilibrium || order_.ask == Ask::impedance)
-                    load.stiffness = group.stiffness(k, i, order_.to.position);
+                if (!replies_stiffness(order_.ask)) continue;
+                if (!touched.two()) {
+                    load.stiffness = group.stiffness(k, i, order_.to[first].position);
+                    continue;
+                }
+                const Mat12 S = group.stiffness_between(k, i, order_.to[first].position,
+                                                        order_.to[second].position);
+                load.stiffness = S.topLeftCorner<6, 6>();
+                load.second.on_first = S.topRightCorner<6, 6>();
+                load.second.of_first = S.bottomLeftCorner<6, 6>();
+                load.second.stiffness = S.bottomRightCorner<6, 6>();
             }
         }
     }
@@ -76,7 +96,13 @@ const Reply& LocalLines::receive() {
 }
 
 LineLoad LocalLines::load_of(const RodPack<Quad>& pack, int lane) const {
-    LineLoad load{.wrench = pack.pass_wrench(lane), .end_tension = pack.tension_a(lane)};
+    LineLoad load{.platform = pack.touched().first,
+                  .wrench = pack.pass_wrench(lane),
+                  .end_tension = pack.tension_a(lane)};
+    if (pack.touched().two()) {
+        load.second.platform = pack.touched().second;
+        load.second.wrench = pack.pass_wrench(lane, 1);
+    }
     const Line& line =
         input_->lines[static_cast<std::size_t>(pack.lines()[static_cast<std::size_t>(lane)])];
     for (int c = 0; c < pack.constraint_count(); ++c) {

@@ -29,6 +29,7 @@ class LocalLines final : public RestingLines {
     [[nodiscard]] LineLoad load_of(const RodPack<Quad>& pack, int lane) const;
 
     const Case* input_;
+    int platforms_;  ///< that orders tell of
     Sea sea_;
     std::vector<RodPack<Quad>> packs_;
     std::vector<RodGroup<Quad>> groups_;  ///< of packs_, side by side

@@ -7,6 +7,7 @@
 #include "io/rank_times.hpp"
 #include "io/result_fields.hpp"
 #include "io/series_file.hpp"
+#include "packing.hpp"
 #include "roles.hpp"
 #include "shares.hpp"
 #include "worker_loop.hpp"
@@ -31,7 +32,8 @@ ExitCode run_worker(const Case& input, const RunRequest& request, io::Link& link
     }
     if (code = io::agree(link, code); code != ExitCode::done) return code;
 
-    io::gather_times(link, worker::worker_loop(link, *lines, &*results));
+    io::gather_times(link, worker::worker_loop(link, *lines, &*results, input.platform_count(),
+                                               joins_platforms(input)));
     int agreed = 0;
     link.broadcast(agreed);
     return static_cast<ExitCode>(agreed);

@@ -69,7 +69,7 @@ class TrialLine {
             for (std::size_t i = 0; guessed && i < rods.size(); ++i)
                 rods[i].set_guess(0, shapes_[i]);
             RodGroup<Single> group{std::span(rods)};
-            if (!group.equilibrium({}, false).ok()) continue;
+            if (!group.equilibrium(rods.front().design(), false).ok()) continue;
             shapes_.clear();
             for (const RodPack<Single>& rod : rods) shapes_.push_back(rod.found_shape(0));
             return miss_of(rods[its_place()]);

@@ -1,5 +1,6 @@
 #include "worker_loop.hpp"
 
+#include <span>
 #include <vector>
 
 #include "clocks.hpp"
@@ -8,14 +9,15 @@
 
 namespace hawser::worker {
 
-io::RankTimes worker_loop(const io::Link& link, Lines& lines, io::SeriesWriter* results) {
+io::RankTimes worker_loop(const io::Link& link, Lines& lines, io::SeriesWriter* results,
+                          int platforms, bool between) {
     io::RankTimes times;
     bool running = false;  // a pass has been made
     double cpu = 0.0, idle = 0.0;
     std::vector<double> message;
     for (bool more = true; more;) {
         OrderMessage sent{};
-        link.broadcast(sent);
+        link.broadcast(std::span(sent).first(static_cast<std::size_t>(order_numbers(platforms))));
         const Order order = unpack(sent);
         const double start = wall_seconds();
         if (order.ask == Ask::run_to && !running) {
@@ -33,8 +35,8 @@ io::RankTimes worker_loop(const io::Link& link, Lines& lines, io::SeriesWriter* 
             case Ask::impedance: {
                 const Reply& reply = lines.receive();
                 const int n = static_cast<int>(reply.lines.size());
-                message.resize(static_cast<std::size_t>(reply_numbers(order.ask, n)));
-                pack_reply_to(reply, order.ask, message);
+                message.resize(static_cast<std::size_t>(reply_numbers(order.ask, n, between)));
+                pack_reply_to(reply, order.ask, message, between);
                 break;
             }
             case Ask::stop:

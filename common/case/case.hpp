@@ -17,13 +17,28 @@ struct Case {
     std::string name;  ///< stem of the file name
     std::string title, description;
     Environment environment;
-    std::optional<Platform> platform;
+    std::optional<Platform> platform;         ///< the only one, or the first of several
+    std::vector<Platform> further_platforms;  ///< of several the others, in the order of the file
     std::vector<LineType> line_types;
     std::vector<Line> lines;  ///< line order: as declared, families expanded
     Analysis analysis;
     Output output;
 
     bool operator==(const Case&) const = default;
+
+    [[nodiscard]] int platform_count() const {
+        return platform ? 1 + static_cast<int>(further_platforms.size()) : 0;
+    }
+    /// @param k  0 ... platform_count() - 1, as LineEnd::platform counts
+    [[nodiscard]] const Platform& platform_at(int k) const {
+        return k == 0 ? *platform : further_platforms[static_cast<std::size_t>(k - 1)];
+    }
+    /// Where platform k is built to be; the origin where there is none.
+    [[nodiscard]] PlatformMotion design_of(int k) const {
+        PlatformMotion at;
+        if (k < platform_count()) at.position = platform_at(k).position;
+        return at;
+    }
 };
 
 }  // namespace hawser

@@ -93,6 +93,7 @@ struct EndMotion {
 
 struct LineEnd {
     EndKind kind = EndKind::free;
+    int platform = 0;              ///< of the kind platform: which (Case::platform_at)
     Vec3 position = Vec3::Zero();  ///< platform: platform axes; anchor, fixed: world [m]
     Joint joint = Joint::ball;
     double rotational_stiffness = 0.0;  ///< flex joint [N.m/rad]
@@ -135,6 +136,7 @@ struct LineConstraint {
     ConstraintType type = ConstraintType::guide;
     std::string name;
     bool on_platform = true;
+    int platform = 0;        ///< on_platform: which (Case::platform_at)
     int other_line = -1;     ///< slider, ball joint: index of the line that it ties to; -1: none
     double other_arc = 0.0;  ///< ball joint: place on that line, arc length from its end A [m]
     bool is_end = false;     ///< ties an end of the line (EndKind::line)

@@ -9,17 +9,20 @@ namespace hawser {
 namespace {
 
 TEST(Message, AnOrderArrivesAsItWasSent) {
-    const Order sent = {.ask = Ask::equilibrium,
-                        .keep_previous = true,
-                        .sample = false,
-                        .snapshot = true,
-                        .write_segment = false,
-                        .current = false,
-                        .t0 = 0.1,
-                        .t1 = 0.35,
-                        .frequency = 0.403,
-                        .from = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}},
-                        .to = {{-1, -2, -3}, {-4, -5, -6}, {-7, -8, -9}, {-10, -11, -0.0}}};
+    const Order sent = {
+        .ask = Ask::equilibrium,
+        .keep_previous = true,
+        .sample = false,
+        .snapshot = true,
+        .write_segment = false,
+        .current = false,
+        .t0 = 0.1,
+        .t1 = 0.35,
+        .frequency = 0.403,
+        .from = {PlatformMotion{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}},
+                 PlatformMotion{{20, 0, 0}, {}, {}, {0, 0, 21}}},
+        .to = {PlatformMotion{{-1, -2, -3}, {-4, -5, -6}, {-7, -8, -9}, {-10, -11, -0.0}},
+               PlatformMotion{}, PlatformMotion{{0, 22, 0}, {}, {}, {}}}};
     const Order got = unpack(pack(sent));
     EXPECT_EQ(got.ask, sent.ask);
     EXPECT_EQ(got.keep_previous, sent.keep_previous);
@@ -32,7 +35,7 @@ TEST(Message, AnOrderArrivesAsItWasSent) {
     EXPECT_EQ(got.frequency, sent.frequency);
     EXPECT_EQ(got.from, sent.from);
     EXPECT_EQ(got.to, sent.to);
-    EXPECT_TRUE(std::signbit(got.to.angle_rates.z()));
+    EXPECT_TRUE(std::signbit(got.to[0].angle_rates.z()));
     Order other = sent;  // each flag has a place of its own
     other.sample = other.write_segment = other.current = true;
     other.keep_previous = other.snapshot = false;
@@ -78,6 +81,38 @@ TEST(Message, AReplyArrivesAsItWasSentAndStiffnessOnlyWhereAsked) {
             EXPECT_EQ(got.stiffness, ask != Ask::run_to ? line.stiffness : Mat6::Zero());
         }
     }
+}
+
+TEST(Message, ALineBetweenTwoPlatformsBringsTheLoadsOfBoth) {
+    Reply sent;
+    sent.lines.resize(2);
+    for (int i = 0; i < 2; ++i) {
+        LineLoad& line = sent.lines[static_cast<size_t>(i)];
+        line.wrench.setConstant(1.0 + i);
+        line.second.wrench.setConstant(10.0 + i);
+        line.stiffness.setConstant(20.0 + i);
+        line.second.stiffness.setConstant(30.0 + i);
+        line.second.on_first.setConstant(40.0 + i);
+        line.second.of_first.setConstant(50.0 + i);
+    }
+    for (const Ask ask : {Ask::run_to, Ask::equilibrium}) {
+        std::vector<double> message(static_cast<size_t>(reply_numbers(ask, 2, true)));
+        pack_reply_to(sent, ask, message, true);
+        for (int i = 0; i < 2; ++i) {
+            const LineLoad got = unpack_line(message, ask, i, true);
+            const LineLoad& was = sent.lines[static_cast<size_t>(i)];
+            EXPECT_EQ(got.wrench, was.wrench);
+            EXPECT_EQ(got.second.wrench, was.second.wrench);
+            const bool stiff = replies_stiffness(ask);
+            EXPECT_EQ(got.stiffness, stiff ? was.stiffness : Mat6(Mat6::Zero()));
+            EXPECT_EQ(got.second.stiffness, stiff ? was.second.stiffness : Mat6(Mat6::Zero()));
+            EXPECT_EQ(got.second.on_first, stiff ? was.second.on_first : Mat6(Mat6::Zero()));
+            EXPECT_EQ(got.second.of_first, stiff ? was.second.of_first : Mat6(Mat6::Zero()));
+        }
+    }
+    // the messages of one platform are as short as ever
+    EXPECT_EQ(order_numbers(1), 33);
+    EXPECT_EQ(reply_numbers(Ask::run_to, 1), 15);
 }
 
 }  // namespace

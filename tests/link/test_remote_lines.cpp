@@ -29,7 +29,7 @@ class FakeLines final : public Lines {
         reply_.status = Status{};
         for (size_t i = 0; i < mine_.size(); ++i) {
             const int line = mine_[i];
-            trial_[i] = std::sin(kept_[i] + order_.t1 + 0.1 * line + order_.to.position.x());
+            trial_[i] = std::sin(kept_[i] + order_.t1 + 0.1 * line + order_.to[0].position.x());
             LineLoad& load = reply_.lines[i];
             for (int j = 0; j < 6; ++j) load.wrench[j] = std::exp(3.0 * trial_[i] + j) / (line + 3);
             load.wrench[5] = -0.0;
@@ -74,7 +74,7 @@ Order order_number(int k) {
                 .current = k % 2 == 0,
                 .t0 = 0.5 * k,
                 .t1 = 0.5 * k + 0.5};
-    order.to.position.x() = 1.0 / (k + 1);
+    order.to[0].position.x() = 1.0 / (k + 1);
     return order;
 }
 

@@ -55,7 +55,7 @@ class SpringLines final : public Lines {
     const Reply& receive() override {
         if (log != nullptr) log->push_back("receive");
         for (size_t i = 0; i < stiffnesses_.size(); ++i) {
-            reply_.lines[i].wrench = -stiffnesses_[i].cwiseProduct(coordinates(orders.back().to));
+            reply_.lines[i].wrench = -stiffnesses_[i].cwiseProduct(coordinates(orders.back().to[0]));
             reply_.lines[i].stiffness = stiffnesses_[i].asDiagonal();
         }
         return reply_;
@@ -87,7 +87,7 @@ class SprungMass final : public Lines {
         order_ = order;
     }
     const Reply& receive() override {
-        const MotionSpline motion(order_.t0, order_.from, order_.t1, order_.to);
+        const MotionSpline motion(order_.t0, order_.from[0], order_.t1, order_.to[0]);
         const double H = order_.t1 - order_.t0;
         const int n = static_cast<int>(std::ceil(H / step - 1e-9));
         const double h = H / n;

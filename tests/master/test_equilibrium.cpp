@@ -29,7 +29,7 @@ class GroundSprings final : public Lines {
     }
     void send(const Order& order) override {
         orders.push_back(order);
-        pose_ = order.to;
+        pose_ = order.to[0];
     }
     const Reply& receive() override {
         reply_.status = Status{};

@@ -32,7 +32,7 @@ TEST(LinesLoop, MakesOnePassPerStepAndKeepsEach) {
         EXPECT_EQ(order.t1, (step + 1) * 0.1);
         EXPECT_EQ(order.keep_previous, step > 0);
         EXPECT_EQ(order.sample, step == 1);
-        EXPECT_EQ(order.from, PlatformMotion{});
+        EXPECT_EQ(order.from[0], PlatformMotion{});
     }
     EXPECT_TRUE(next.keep_previous);  // for the order that ends the run
 }

@@ -70,7 +70,7 @@ class SprungMassAndGround final : public Lines {
         reply_.lines.resize(2);
     }
     void send(const Order& order) override {
-        x_ = order.to.position.x();
+        x_ = order.to[0].position.x();
         mass.send(order);
     }
     const Reply& receive() override {

@@ -132,7 +132,7 @@ Knocks knock(ForceFit force, double D, int steps) {
     const auto look = [&](const State& y) {
         pack.keep();
         const Vec3 given = worker::lane_vector(kept().impulse, 0);
-        const Vec3 owed = worker::lane_vector(pack.kept().head().owed_force, 0);
+        const Vec3 owed = worker::lane_vector(pack.kept().head().handed[0].owed_force, 0);
         const Vec3 momentum = body.masses[0] * y.segment<3>(6);
         out.lost = std::max(out.lost, (momentum + owed + given).norm());
         out.behind = std::max(out.behind, (momentum + given).norm());

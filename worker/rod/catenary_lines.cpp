@@ -101,9 +101,7 @@ Status RodPack<V>::hang(double t1, const MotionSpline& platform) {
         if (failed.ok() || line < failed.line)
             failed = {.code = Status::Code::no_equilibrium, .line = line, .t = t1};
     }
-    const Vec3 reference = platform.at(t1).motion.position;
-    for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
-        fitted_[static_cast<std::size_t>(i)] = wrench(i, reference);
+    for (int i = 0; i < static_cast<int>(lines_.size()); ++i) take_wrench(i, platform, t1);
     return failed;
 }
 

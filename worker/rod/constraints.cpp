@@ -59,6 +59,7 @@ void RodPack<V>::set_constraints(const Case& input) {
                 to.tied = tied;
                 to.is_end_a = points[k].is_end && *points[k].arc_length == 0.0;
                 to.is_end_b = points[k].is_end && !to.is_end_a;
+                to.hull = touched_.place_of(points[k].platform);
                 LaneTraits<V>::set(to.on_platform, i, points[k].on_platform && !tied ? 1.0 : 0.0);
                 to.at.push_back(std::move(points[k]));
             }
@@ -287,10 +288,12 @@ template <class V>
 void RodPack<V>::place_constraints(const RodState<V>& before, V t_before, V t,
                                    const MotionSpline& platform, bool search) {
     using T = LaneTraits<V>;
-    hull_ = hull_motion(t_before, t, platform);
+    for (std::size_t k = 0; k < hulls(); ++k)
+        hull_[k] = hull_motion(t_before, t, motion_of(static_cast<int>(k), platform));
     const typename HullMotion<V>::Pose earth;
     for (std::size_t n = 0; n < constraints_.size(); ++n) {
         PlacedConstraint<V>& c = constraints_[n];
+        const HullMotion<V>& hull = hull_[static_cast<std::size_t>(c.hull)];
         const ConstraintState<V>& was = before.constraints()[n];
         c.element = was.element;
         c.xi = was.xi;
@@ -299,8 +302,8 @@ void RodPack<V>::place_constraints(const RodState<V>& before, V t_before, V t,
         for (int i = 0; i < lanes; ++i) {
             const auto u = static_cast<std::size_t>(i);
             const LineConstraint& at = c.at[u];
-            const auto& now = at.on_platform ? hull_.now[u] : earth;
-            const auto& then = at.on_platform ? hull_.before[u] : earth;
+            const auto& now = at.on_platform ? hull.now[u] : earth;
+            const auto& then = at.on_platform ? hull.before[u] : earth;
             set_lane_vector(c.place, i, now.position + now.turned * at.position);
             set_lane_vector(c.axis, i, now.turned * at.axis);
             set_lane_vector(
@@ -358,7 +361,8 @@ void RodPack<V>::apply_laws(V a1) {
         ConstraintMotion<V>& m = c.motion;
         m.g = r - c.place;
         // against the platform's own point there, or another rod's; the earth stands still
-        m.g_rate = c.rate - c.on_platform * (hull_.velocity + cross(hull_.spin, r - hull_.origin));
+        const HullMotion<V>& hull = hull_[static_cast<std::size_t>(c.hull)];
+        m.g_rate = c.rate - c.on_platform * (hull.velocity + cross(hull.spin, r - hull.origin));
         if (c.tied) m.g_rate -= c.place_rate;
         m.k = c.axis;
         m.friction = c.friction;

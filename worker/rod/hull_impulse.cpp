@@ -30,10 +30,12 @@ void RodPack<V>::begin_handing_over(double t0, double t1, const MotionSpline& pl
     for (PlacedConstraint<V>& c : constraints_) c.fitted = {};
     for (int i = 0; i < lanes; ++i) {
         const auto u = static_cast<std::size_t>(i);
-        fitted_[u].setZero();
-        if (!matches_impulse() || passes_since_keep_ != passes_per_step) continue;
-        handed_[u].load = wrench(i, platform.at(t0).motion.position);
-        handed_[u].given.setZero();
+        for (std::size_t k = 0; k < hulls(); ++k) {
+            fitted_[k][u].setZero();
+            if (!matches_impulse() || passes_since_keep_ != passes_per_step) continue;
+            handed_[k][u].load = wrench_at(i, k, platform, t0);
+            handed_[k][u].given.setZero();
+        }
     }
 }
 
@@ -42,8 +44,8 @@ void RodPack<V>::add_to_fit(int lane, int i, int n, const MotionSpline& platform
     const double weight = fit_weight(force_, i, n);
     if (weight == 0.0) return;
     const double t = LaneTraits<V>::get(working_.head().t, lane);
-    fitted_[static_cast<std::size_t>(lane)] +=
-        weight * wrench(lane, platform.at(t).motion.position);
+    for (std::size_t k = 0; k < hulls(); ++k)
+        fitted_[k][static_cast<std::size_t>(lane)] += weight * wrench_at(lane, k, platform, t);
     for (std::size_t c = 0; c < constraints_.size(); ++c) {
         const Vec3 sum = lane_vector(constraints_[c].fitted, lane) +
                          weight * lane_vector(working_.constraints()[c].force, lane);
@@ -54,11 +56,13 @@ void RodPack<V>::add_to_fit(int lane, int i, int n, const MotionSpline& platform
 template <class V>
 void RodPack<V>::add_to_given(int lane, double h, const MotionSpline& platform) {
     if (!matches_impulse() || passes_since_keep_ != passes_per_step) return;
-    LaneHandedOver& to = handed_[static_cast<std::size_t>(lane)];
     const double t = LaneTraits<V>::get(working_.head().t, lane);
-    const Vec6 now = wrench(lane, platform.at(t).motion.position);
-    to.given += 0.5 * h * (to.load + now);
-    to.load = now;
+    for (std::size_t k = 0; k < hulls(); ++k) {
+        LaneHandedOver& to = handed_[k][static_cast<std::size_t>(lane)];
+        const Vec6 now = wrench_at(lane, k, platform, t);
+        to.given += 0.5 * h * (to.load + now);
+        to.load = now;
+    }
 }
 
 template <class V>
@@ -80,21 +84,23 @@ void RodPack<V>::end_handing_over() {
             c.used[stage] = c.fitted;
     }
     if (!matches_impulse()) return;
-    RodHead<V>& head = working_.head();
-    for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
-        LaneHandedOver& h = handed_[static_cast<std::size_t>(i)];
-        Vec6& returned = fitted_[static_cast<std::size_t>(i)];
-        Vec6 owed = lane_wrench(head.owed_force, head.owed_moment, i);
-        if (step_ends) {
-            const Vec6 first = lane_wrench(head.hull_force, head.hull_moment, i);
-            owed += h.given - impulse_of_rates(D, first, h.used);
-            set_lane_wrench(head.owed_force, head.owed_moment, i, owed);
+    for (std::size_t k = 0; k < hulls(); ++k) {
+        HandedState<V>& hull = working_.head().handed[k];
+        for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
+            LaneHandedOver& h = handed_[k][static_cast<std::size_t>(i)];
+            Vec6& returned = fitted_[k][static_cast<std::size_t>(i)];
+            Vec6 owed = lane_wrench(hull.owed_force, hull.owed_moment, i);
+            if (step_ends) {
+                const Vec6 first = lane_wrench(hull.hull_force, hull.hull_moment, i);
+                owed += h.given - impulse_of_rates(D, first, h.used);
+                set_lane_wrench(hull.owed_force, hull.owed_moment, i, owed);
+            }
+            returned += owed / D;
+            if (step_ends)
+                set_lane_wrench(hull.hull_force, hull.hull_moment, i, returned);
+            else
+                h.used[stage] = returned;
         }
-        returned += owed / D;
-        if (step_ends)
-            set_lane_wrench(head.hull_force, head.hull_moment, i, returned);
-        else
-            h.used[stage] = returned;
     }
 }
 
@@ -102,24 +108,43 @@ template <class V>
 void RodPack<V>::take_static_load(const PlatformMotion& pose) {
     // the platform's first rate takes it; keep_constraints does the same for each constraint
     RodHead<V>& head = kept_.head();
-    head.owed_force = head.owed_moment = {};
-    for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
-        Vec6& load = fitted_[static_cast<std::size_t>(i)];
-        load = wrench(i, pose.position);
-        set_lane_wrench(head.hull_force, head.hull_moment, i, load);
+    const MotionSpline still(0.0, pose, 0.0, pose);
+    for (std::size_t k = 0; k < hulls(); ++k) {
+        HandedState<V>& hull = head.handed[k];
+        hull.owed_force = hull.owed_moment = {};
+        for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
+            Vec6& load = fitted_[k][static_cast<std::size_t>(i)];
+            load = wrench_at(i, k, still, 0.0);
+            set_lane_wrench(hull.hull_force, hull.hull_moment, i, load);
+        }
     }
     working_.head() = head;
     passes_since_keep_ = 0;
 }
 
 template <class V>
+Vec6 RodPack<V>::wrench_at(int lane, std::size_t hull, const MotionSpline& platform,
+                           double t) const {
+    const auto k = static_cast<int>(hull);
+    return wrench(lane, motion_of(k, platform).at(t).motion.position, k);
+}
+
+template <class V>
+void RodPack<V>::take_wrench(int lane, const MotionSpline& platform, double t) {
+    for (std::size_t k = 0; k < hulls(); ++k)
+        fitted_[k][static_cast<std::size_t>(lane)] = wrench_at(lane, k, platform, t);
+}
+
+template <class V>
 void RodPack<V>::keep() {
     if (passes_since_keep_ != passes_per_step) {  // nothing is known of the platform's rates
-        RodHead<V>& head = working_.head();
-        head.owed_force = head.owed_moment = {};
-        for (int i = 0; matches_impulse() && i < static_cast<int>(lines_.size()); ++i)
-            set_lane_wrench(head.hull_force, head.hull_moment, i,
-                            fitted_[static_cast<std::size_t>(i)]);
+        for (std::size_t k = 0; k < hulls(); ++k) {
+            HandedState<V>& hull = working_.head().handed[k];
+            hull.owed_force = hull.owed_moment = {};
+            for (int i = 0; matches_impulse() && i < static_cast<int>(lines_.size()); ++i)
+                set_lane_wrench(hull.hull_force, hull.hull_moment, i,
+                                fitted_[k][static_cast<std::size_t>(i)]);
+        }
         for (std::size_t n = 0; n < constraints_.size(); ++n) {
             ConstraintState<V>& s = working_.constraints()[n];
             s.impulse = s.hull_impulse = {};
@@ -136,12 +161,14 @@ template void RodPack<Single>::add_to_fit(int, int, int, const MotionSpline&);
 template void RodPack<Single>::add_to_given(int, double, const MotionSpline&);
 template void RodPack<Single>::end_handing_over();
 template void RodPack<Single>::take_static_load(const PlatformMotion&);
+template void RodPack<Single>::take_wrench(int, const MotionSpline&, double);
 template void RodPack<Single>::keep();
 template void RodPack<Quad>::begin_handing_over(double, double, const MotionSpline&);
 template void RodPack<Quad>::add_to_fit(int, int, int, const MotionSpline&);
 template void RodPack<Quad>::add_to_given(int, double, const MotionSpline&);
 template void RodPack<Quad>::end_handing_over();
 template void RodPack<Quad>::take_static_load(const PlatformMotion&);
+template void RodPack<Quad>::take_wrench(int, const MotionSpline&, double);
 template void RodPack<Quad>::keep();
 
 }  // namespace hawser::worker

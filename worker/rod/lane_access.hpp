@@ -39,4 +39,16 @@ void set_lane_wrench(Vector<V>& force, Vector<V>& moment, int lane, const Vec6& 
     set_lane_vector(moment, lane, x.tail<3>());
 }
 
+/// Three rows of a border (R:22): a matrix for the displacements and one for the rotations of one
+/// of the platforms; n = 6 columns for one platform, 12 for two.
+template <int n>
+[[nodiscard]] Eigen::Matrix<double, 3, n> columns_of_hull(const Mat3& moved, const Mat3& turned,
+                                                          int hull) {
+    Eigen::Matrix<double, 3, n> out;
+    if constexpr (n > 6) out.setZero();
+    out.template middleCols<3>(6 * hull) = moved;
+    out.template middleCols<3>(6 * hull + 3) = turned;
+    return out;
+}
+
 }  // namespace hawser::worker

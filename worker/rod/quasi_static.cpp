@@ -50,6 +50,7 @@ void RodPack<V>::carry_with_hull(int lane, const PlatformMotion& from, const Pla
     bool held = false;
     for (std::size_t c = 0; c < constraints_.size(); ++c) {
         if (!constraints_[c].at[static_cast<std::size_t>(lane)].on_platform) continue;
+        if (constraints_[c].hull != leading_hull()) continue;
         const auto e = static_cast<std::size_t>(T::get(kept_.constraints()[c].element, lane));
         lowest = std::min(lowest, arc[e]);
         held = true;
@@ -170,9 +171,7 @@ void RodPack<V>::end_still_pass(Mask solved, double t0, double t1, const MotionS
         after[n].v = select(solved, per_time * (after[n].r - before[n].r), after[n].v);
         after[n].vd = select(solved, per_time * (after[n].d - before[n].d), after[n].vd);
     }
-    const Vec3 reference = platform.at(t1).motion.position;
-    for (int i = 0; i < static_cast<int>(lines_.size()); ++i)
-        fitted_[static_cast<std::size_t>(i)] = wrench(i, reference);
+    for (int i = 0; i < static_cast<int>(lines_.size()); ++i) take_wrench(i, platform, t1);
     for (std::size_t c = 0; c < constraints_.size(); ++c)
         constraints_[c].fitted = working_.constraints()[c].force;
     end_handing_over();
@@ -204,10 +203,12 @@ Status RodGroup<V>::still_pass(double t0, double t1, const MotionSpline& platfor
         for (RodPack<V>& p : packs_) {
             p.start_still(fresh, V(H));
             for (int i = 0; i < lines && !p.constraints_.empty(); ++i)
-                if (T::get(active, i))
+                if (T::get(active, i)) {
+                    const MotionSpline& hull = p.motion_of(p.leading_hull(), platform);
                     p.carry_with_hull(
-                        i, platform.at(t0 + walk[static_cast<std::size_t>(i)].reached * H).motion,
-                        platform.at(T::get(t, i)).motion);
+                        i, hull.at(t0 + walk[static_cast<std::size_t>(i)].reached * H).motion,
+                        hull.at(T::get(t, i)).motion);
+                }
         }
         const Mask found = still_attempt(active, t0, t1, t, platform);
         Mask untrue = T::none();

@@ -30,7 +30,24 @@ class RodGroup {
     /// Linear harmonic motion about the last static solution, R:44.
     void swing(double omega);
     /// -d(wrench)/d(position, rotation vector) of a lane of pack p, with all that it is tied to.
-    [[nodiscard]] Mat6 stiffness(std::size_t p, int lane, const Vec3& reference);
+    [[nodiscard]] Mat6 stiffness(std::size_t p, int lane, const Vec3& reference) {
+        return stiffness_about<6>(p, lane, {reference, Vec3::Zero()});
+    }
+    /// The same of rods that touch two platforms.
+    [[nodiscard]] Mat12 stiffness_between(std::size_t p, int lane, const Vec3& first,
+                                          const Vec3& second) {
+        return stiffness_about<12>(p, lane, {first, second});
+    }
+    /// Motion or pose of the second platform, before a pass or a static solution.
+    void follow_second(const MotionSpline& platform) {
+        for (RodPack<V>& p : packs_) p.follow_second(platform);
+    }
+    void hold_second(const PlatformMotion& pose) {
+        PlatformMotion at = pose;
+        at.velocity.setZero();
+        at.angle_rates.setZero();
+        follow_second(MotionSpline(0.0, at, 0.0, at));
+    }
 
     [[nodiscard]] const std::span<RodPack<V>>& packs() const { return packs_; }
 
@@ -70,6 +87,9 @@ class RodGroup {
     void answer_ties();
     void couple();
     void carry_ties();
+    template <int n>
+    Eigen::Matrix<double, n, n> stiffness_about(std::size_t p, int lane,
+                                                const std::array<Vec3, 2>& reference);
 
     std::span<RodPack<V>> packs_;
     std::vector<Tie> ties_;

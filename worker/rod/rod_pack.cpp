@@ -50,7 +50,14 @@ RodPack<V>::RodPack(const Case& input, const Sea& sea, std::vector<int> lines)
       axis_is_static_a_(LaneTraits<V>::none()),
       axis_is_static_b_(LaneTraits<V>::none()) {
     if (scheme_.undamped()) newton.tolerance = NewtonControl::undamped_tolerance;
-    for (Vec6& f : fitted_) f.setZero();
+    for (auto& hull : fitted_)
+        for (Vec6& f : hull) f.setZero();
+    touched_ = touched_platforms(input)[static_cast<std::size_t>(lines_.front())];
+    design_ = input.design_of(touched_.first);
+    if (touched_.two()) {
+        const PlatformMotion second = input.design_of(touched_.second);
+        second_ = MotionSpline(0.0, second, 0.0, second);
+    }
     set_properties(input);
     const std::size_t N = properties_.size();
     const int slabs = static_cast<int>(std::ceil(platform_step_ / wave_step_)) + 3;
@@ -132,6 +139,8 @@ void RodPack<V>::set_properties(const Case& input) {
         place_b_.end.push_back(line.end_b);
         place_a_.kind = line.end_a.kind;
         place_b_.kind = line.end_b.kind;
+        place_a_.hull = touched_.place_of(line.end_a.platform);
+        place_b_.hull = touched_.place_of(line.end_b.platform);
         T::set(line_step_, i,
                std::min(line.time_step.value_or(input.analysis.dynamics.line_step),
                         input.analysis.dynamics.line_step));
@@ -205,7 +214,7 @@ EndValues<V> RodPack<V>::end_values(const EndPlace& place, const Vector<V>& axis
         Vec3 k = lane_vector(axis, i);
         if (end.kind == EndKind::platform) {
             if (time != sampled_at) {
-                sample = platform.at(time);
+                sample = motion_of(place.hull, platform).at(time);
                 R = rotation(sample.motion.angles);
                 sampled_at = time;
             }
@@ -226,15 +235,22 @@ EndValues<V> RodPack<V>::end_values(const EndPlace& place, const Vector<V>& axis
 }
 
 template <class V>
-Vec6 RodPack<V>::wrench(int lane, const Vec3& reference) const {
+Vec6 RodPack<V>::wrench(int lane, const Vec3& reference, int hull) const {
     Vec6 out = Vec6::Zero();
-    if (place_a_.kind == EndKind::platform) {
+    if (place_a_.kind == EndKind::platform && place_a_.hull == hull) {
         const Vec3 force = force_on_support_a(lane);
         const Vec3 lever = lane_vector(working_.nodes()[properties_.size()].r, lane) - reference;
         out << force, lever.cross(force) + moment_on_support_a(lane);
     }
+    if (place_b_.kind == EndKind::platform && place_b_.hull == hull) {
+        const Vec3 force = force_on_support_b(lane);
+        const Vec3 lever = lane_vector(working_.nodes()[0].r, lane) - reference;
+        out.head<3>() += force;
+        out.tail<3>() += lever.cross(force) + moment_on_support_b(lane);
+    }
     for (std::size_t c = 0; c < constraints_.size(); ++c) {
         if (!constraints_[c].at[static_cast<std::size_t>(lane)].on_platform) continue;
+        if (constraints_[c].hull != hull) continue;
         const ConstraintState<V>& state = working_.constraints()[c];
         const Vec3 force = -lane_vector(state.force, lane);
         const Vec3 lever = lane_vector(state.point, lane) - reference;
@@ -289,19 +305,25 @@ Vec3 RodPack<V>::node_position(int lane, int n) const {
 }
 
 template <class V>
-Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference, TieBorder<V>* ties) {
-    if (model_ == LineModel::catenary) return hanging_stiffness(lane, reference);
+template <int n>
+Eigen::Matrix<double, n, n> RodPack<V>::stiffness_about(int lane, const References& references,
+                                                        TieBorder<V>* ties) {
+    using Square = Eigen::Matrix<double, n, n>;
+    const Vec3& reference = references[static_cast<std::size_t>(place_a_.hull)];
+    if constexpr (n == 6)
+        if (model_ == LineModel::catenary) return hanging_stiffness(lane, reference);
     using T = LaneTraits<V>;
     Eigen::Matrix<double, 7, 7> D;
     for (int i = 0; i < 7; ++i)
         for (int k = 0; k < 7; ++k) D(i, k) = T::get(last_D_[i][k], lane);
-    Mat6 along_rod = Mat6::Zero();
-    if (ties != nullptr) begin_border(lane, *ties);
-    Border K_along = border_of_constraints(lane, reference, along_rod, ties);
+    Square along_rod = Square::Zero();
+    if (ties != nullptr) begin_border(lane, *ties, n);
+    Border<n> K_along = border_of_constraints<n>(lane, references, along_rod, ties);
     if (place_a_.kind != EndKind::platform) {
-        if (!place_a_.prescribed()) return along_rod - border_at_end_a<7>(lane, D, K_along, ties);
-        return along_rod - border_at_end_a<4>(lane, D.bottomRightCorner<4, 4>(),
-                                              K_along.template bottomRows<4>(), ties);
+        if (!place_a_.prescribed())
+            return along_rod - border_at_end_a<7, n>(lane, D, K_along, ties);
+        return along_rod - border_at_end_a<4, n>(lane, D.bottomRightCorner<4, 4>(),
+                                                 K_along.template bottomRows<4>(), ties);
     }
     Mat3 Ks;
     for (int i = 0; i < 3; ++i)
@@ -317,34 +339,39 @@ Mat6 RodPack<V>::stiffness(int lane, const Vec3& reference, TieBorder<V>* ties) 
     }
     const NodeState<V>& node = working_.nodes()[properties_.size()];
     // R:21: a point turns with l x, a slope with r' x
-    Eigen::Matrix<double, 3, 6> B, Bs;
+    const int hull = place_a_.hull, turned = 6 * hull + 3;
     const Vec3 lever = lane_vector(node.r, lane) - reference;
-    B << Mat3::Identity(), -skew(lever);
-    Bs << Mat3::Zero(), -skew(d);
+    const auto B = columns_of_hull<n>(Mat3::Identity(), -skew(lever), hull);
+    const auto Bs = columns_of_hull<n>(Mat3::Zero(), -skew(d), hull);
     // Departs from R:23, which leaves this out: the lever turns under the force, d(l x F) = (dtheta
     // x l) x F. It is most of the yaw stiffness of a mooring.
-    Mat6 turning = Mat6::Zero();
-    turning.bottomRightCorner<3, 3>() = -skew(force_on_support_a(lane)) * skew(lever);
+    Square turning = Square::Zero();
+    turning.template block<3, 3>(turned, turned) = -skew(force_on_support_a(lane)) * skew(lever);
     if (place_a_.sprung()) {  // R:22: the spring joins the free node to the border
         Mat3 Kt;
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k) Kt(i, k) = T::get(spring_load_a_.stiffness(i, k), lane);
-        Border K = K_along;
+        Border<n> K = K_along;
         K.template topRows<3>() -= Kt * B;
-        return along_rod + B.transpose() * Kt * B - border_at_end_a<7>(lane, D, K, ties) + turning;
+        return along_rod + B.transpose() * Kt * B - border_at_end_a<7, n>(lane, D, K, ties) +
+               turning;
     }
     // R:22, R:23: border columns and block, then the elimination of (r', lambda)
-    const Eigen::Matrix<double, 3, 6> K_r = K_along.template topRows<3>();
-    Eigen::Matrix<double, 4, 6> K =
+    const Eigen::Matrix<double, 3, n> K_r = K_along.template topRows<3>();
+    Eigen::Matrix<double, 4, n> K =
         D.bottomLeftCorner<4, 3>() * B + K_along.template bottomRows<4>();
-    K.topRows<3>() -= Ks * Bs;
-    K.topRightCorner<3, 3>() += skew(f);
-    turning.bottomRightCorner<3, 3>() -= skew(d) * skew(f);
-    const Mat6 M = along_rod + B.transpose() * D.topLeftCorner<3, 3>() * B + B.transpose() * K_r +
-                   K_r.transpose() * B + Bs.transpose() * Ks * Bs;
-    return M - border_at_end_a<4>(lane, D.bottomRightCorner<4, 4>(), K, ties, &B) + turning;
+    K.template topRows<3>() -= Ks * Bs;
+    K.template block<3, 3>(0, turned) += skew(f);
+    turning.template block<3, 3>(turned, turned) -= skew(d) * skew(f);
+    const Square M = along_rod + B.transpose() * D.topLeftCorner<3, 3>() * B + B.transpose() * K_r +
+                     K_r.transpose() * B + Bs.transpose() * Ks * Bs;
+    return M - border_at_end_a<4, n>(lane, D.bottomRightCorner<4, 4>(), K, ties, &B) + turning;
 }
 
+template Mat6 RodPack<Single>::stiffness_about<6>(int, const References&, TieBorder<Single>*);
+template Mat12 RodPack<Single>::stiffness_about<12>(int, const References&, TieBorder<Single>*);
+template Mat6 RodPack<Quad>::stiffness_about<6>(int, const References&, TieBorder<Quad>*);
+template Mat12 RodPack<Quad>::stiffness_about<12>(int, const References&, TieBorder<Quad>*);
 template class RodPack<Single>;
 template class RodPack<Quad>;
 

@@ -65,6 +65,7 @@ struct PlacedConstraint {
     bool is_end_a = false, is_end_b = false;  ///< tied end of the line
     std::vector<LineConstraint> at;  ///< one per lane; of a pull tube its point and tangent there
     V on_platform{};                 ///< 1: moves with the platform, 0: stands on the earth
+    int hull = 0;                    ///< which of the rod's platforms
     typename LaneTraits<V>::Mask axis_is_static = LaneTraits<V>::none();  ///< of the joint
     V element{}, xi{};                  ///< where it touches during the step
     Vector<V> place, axis, joint_axis;  ///< on world axes at the end of the step
@@ -158,12 +159,20 @@ class RodPack {
     /// The pass that ended last becomes the kept state.
     void keep();
 
+    /// The platforms that these rods touch. Poses and splines that are given are those of the
+    /// first; a second one is told beforehand and stays until it is told anew.
+    [[nodiscard]] const Touched& touched() const { return touched_; }
+    void follow_second(const MotionSpline& platform) { second_ = platform; }
+    /// Design position of the first platform.
+    [[nodiscard]] const PlatformMotion& design() const { return design_; }
+
     /// Load of a lane on the platform about `reference` [N, N.m] in the working state.
-    [[nodiscard]] Vec6 wrench(int lane, const Vec3& reference) const;
+    /// @param hull  0: the first platform of the rods, 1: the second
+    [[nodiscard]] Vec6 wrench(int lane, const Vec3& reference, int hull = 0) const;
     /// The same as the pass returns it: instantaneous, the fit of the force over the pass (P:5), or
     /// with what the platform is still owed (R:48).
-    [[nodiscard]] const Vec6& pass_wrench(int lane) const {
-        return fitted_[static_cast<std::size_t>(lane)];
+    [[nodiscard]] const Vec6& pass_wrench(int lane, int hull = 0) const {
+        return fitted_[static_cast<std::size_t>(hull)][static_cast<std::size_t>(lane)];
     }
     /// Effective tension at end A (platform) and at end B in the working state [N]. After keep()
     /// the working state is the kept one; so it is after equilibrium().
@@ -184,7 +193,15 @@ class RodPack {
     /// Static stiffness about `reference`: -d(wrench)/d(position, rotation vector) [6 x 6], R:25.
     /// After swing() the dynamic stiffness.
     /// Of a rod that is tied to others its own part; `ties` gets what joins them (RodGroup).
-    [[nodiscard]] Mat6 stiffness(int lane, const Vec3& reference, TieBorder<V>* ties = nullptr);
+    [[nodiscard]] Mat6 stiffness(int lane, const Vec3& reference, TieBorder<V>* ties = nullptr) {
+        return stiffness_about<6>(lane, {reference, Vec3::Zero()}, ties);
+    }
+    /// The same of rods that touch two platforms, each about its own reference: rows and columns of
+    /// the first, then of the second.
+    [[nodiscard]] Mat12 stiffness_between(int lane, const Vec3& first, const Vec3& second,
+                                          TieBorder<V>* ties = nullptr) {
+        return stiffness_about<12>(lane, {first, second}, ties);
+    }
 
     /// Linear undamped motion of angular frequency omega about the last static solution, R:44: what
     /// stiffness() then gives is K(omega) - omega^2 M, exact for the mesh. Lines that a run
@@ -245,6 +262,7 @@ class RodPack {
     friend class RodGroup<V>;
     struct EndPlace {
         EndKind kind = EndKind::free;
+        int hull = 0;              ///< which of the rod's platforms, of that kind
         std::vector<LineEnd> end;  ///< one per lane
         [[nodiscard]] bool held() const { return kind != EndKind::free; }
         [[nodiscard]] bool sprung() const { return held() && end.front().joint == Joint::spring; }
@@ -254,10 +272,15 @@ class RodPack {
     };
     /// Rows of a prescribed end's position, kept for its reaction.
     struct ReactionRows {
-        V D[3][4], E[3][7], R[3];
+        V own[3][3], D[3][4], E[3][7], R[3];  ///< of `own` the lower triangle
     };
 
     // rod_pack.cpp: set-up and read-out
+    [[nodiscard]] std::size_t hulls() const { return touched_.two() ? 2 : 1; }
+    /// Motion of the first (0) or second platform, `first` that of the first.
+    [[nodiscard]] const MotionSpline& motion_of(int hull, const MotionSpline& first) const {
+        return hull == 0 ? first : second_;
+    }
     /// Effective tension in the rod just inside a free end, e.g. below a tensioner's ring [N].
     [[nodiscard]] double end_tension(std::size_t node, int lane) const;
     void set_properties(const Case& input);
@@ -295,6 +318,11 @@ class RodPack {
     void add_to_given(int lane, double h, const MotionSpline& platform);
     void end_handing_over();
     void take_static_load(const PlatformMotion& pose);
+    /// Load on the first (0) or second platform about its O at t. @param platform  the first
+    [[nodiscard]] Vec6 wrench_at(int lane, std::size_t hull, const MotionSpline& platform,
+                                 double t) const;
+    /// The load at time t is what the pass returns. @param platform  the first
+    void take_wrench(int lane, const MotionSpline& platform, double t);
 
     // quasi_static.cpp
     void begin_still_pass(double t0, double t1, const MotionSpline& platform);
@@ -302,6 +330,12 @@ class RodPack {
     void begin_still_attempt(V t, const MotionSpline& platform);
     void reach(Mask good);
     void start_still(Mask from_prediction, V ahead);
+    /// The platform that a rod in guides goes along with.
+    [[nodiscard]] int leading_hull() const {
+        for (const PlacedConstraint<V>& c : constraints_)
+            if (!c.mirror && !c.tied && c.at.front().on_platform) return c.hull;
+        return 0;
+    }
     void carry_with_hull(int lane, const PlatformMotion& from, const PlatformMotion& to);
     void current_at(double t, const MotionSpline& platform);
 
@@ -358,19 +392,31 @@ class RodPack {
     void last_rows(const V* column, int stride, V (&z)[7]) const;
 
     // constraint_border.cpp, constraint_results.cpp
-    using Border = Eigen::Matrix<double, 7, 6>;
+    template <int columns>
+    using Border = Eigen::Matrix<double, 7, columns>;
+    using References = std::array<Vec3, 2>;
+    /// @tparam n  6: one platform; 12: the first and the second
+    template <int n>
+    Eigen::Matrix<double, n, n> stiffness_about(int lane, const References& reference,
+                                                TieBorder<V>* ties);
     /// Border columns of the constraints along the rod after the elimination of all nodes before
     /// end A; their block of R:22 and R:24 is added to M.
-    Border border_of_constraints(int lane, const Vec3& reference, Mat6& M,
-                                 TieBorder<V>* ties) const;
+    template <int columns>
+    Border<columns> border_of_constraints(int lane, const References& reference,
+                                          Eigen::Matrix<double, columns, columns>& M,
+                                          TieBorder<V>* ties) const;
+    /// The border of an end B that moves with a platform: its columns in K, its block in M.
+    template <int columns>
+    void add_border_at_end_b(int lane, const References& reference, std::vector<Border<columns>>& K,
+                             Eigen::Matrix<double, columns, columns>& M, TieBorder<V>* ties) const;
     /// C and G of the ties: the part of the nodes before end A, R:46.
-    void begin_border(int lane, TieBorder<V>& ties) const;
+    void begin_border(int lane, TieBorder<V>& ties, Eigen::Index columns) const;
     /// Border of the node at end A: K^T D^-1 K, and its part of the ties. Z's own rows of a
     /// prescribed position are folded with B.
-    template <int n>
-    Mat6 border_at_end_a(int lane, const Eigen::Matrix<double, n, n>& D,
-                         const Eigen::Matrix<double, n, 6>& K, TieBorder<V>* ties,
-                         const Eigen::Matrix<double, 3, 6>* B = nullptr) const;
+    template <int n, int columns>
+    Eigen::Matrix<double, columns, columns> border_at_end_a(
+        int lane, const Eigen::Matrix<double, n, n>& D, const Eigen::Matrix<double, n, columns>& K,
+        TieBorder<V>* ties, const Eigen::Matrix<double, 3, columns>* B = nullptr) const;
     void settle_constraints(Mask iterating);
     /// What a step of length h (0: statics) found becomes the constraints' state; their sums over
     /// time go on from `before`.
@@ -433,14 +479,19 @@ class RodPack {
     [[nodiscard]] PlatformMotion last_pose() const;
 
     std::vector<int> lines_;
+    Touched touched_;
+    PlatformMotion design_;
+    MotionSpline second_;  ///< of the second platform, where there is one
     const Sea* sea_;
     TimeScheme scheme_;
     Bed bed_;
     double gravity_ = 9.80665, water_density_ = 1025.0;
     ForceFit force_ = ForceFit::impulse_matched;
     LineModel model_ = LineModel::dynamic;
-    std::array<Vec6, static_cast<std::size_t>(lanes)> fitted_{};
-    std::array<LaneHandedOver, static_cast<std::size_t>(lanes)> handed_{};
+    template <class T>
+    using PerHullAndLane = std::array<std::array<T, static_cast<std::size_t>(lanes)>, 2>;
+    PerHullAndLane<Vec6> fitted_{};
+    PerHullAndLane<LaneHandedOver> handed_{};
     double ramp_ = 0.0, platform_step_ = 0.5, wave_step_ = 0.25;
     V line_step_{};
     std::vector<Curve> curves_;  ///< tension tables, and which one an element of a lane has; or -1
@@ -465,7 +516,7 @@ class RodPack {
     double pass_length_ = 0.0;    ///< of the pass that ended last [s]
     MotionSpline platform_;       ///< of the pass or static solution that ended last
     double current_share_ = 0.0;  ///< of the current in it, where it was one at rest
-    HullMotion<V> hull_;
+    std::array<HullMotion<V>, 2> hull_;
     std::vector<TrialNode<V>> reached_;  ///< quasi-static: last good shape on the platform's way
     std::vector<V> reached_lambda_;
     std::vector<std::vector<CatenaryElement>> hanging_;  ///< catenary: what each lane is made of

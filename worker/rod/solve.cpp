@@ -113,6 +113,7 @@ void RodPack<V>::reduce(V a0, V a1) {
                 for (int i = 0; i < 3; ++i) {
                     rows_b_.R[i] = R[i];
                     R[i] = V(0.0);
+                    for (int k = 0; k <= i; ++k) rows_b_.own[i][k] = D[i][k];
                     for (int k = 0; k < 4; ++k) {
                         rows_b_.D[i][k] = D[3 + k][i];
                         D[3 + k][i] = V(0.0);

@@ -3,6 +3,7 @@
 // counted from end B (seabed) to end A (platform): the way the elimination runs.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -63,6 +64,12 @@ struct ConstraintState {
     Vector<V> hull_force;             ///< on the rod as the hull's last rate took it [N]
 };
 
+/// R:48: load on a hull as its last rate took it [N, N.m], impulse still owed [N.s, N.m.s].
+template <class V>
+struct HandedState {
+    Vector<V> hull_force, hull_moment, owed_force, owed_moment;
+};
+
 /// What belongs to the rod as a whole.
 template <class V>
 struct RodHead {
@@ -70,10 +77,9 @@ struct RodHead {
     Vector<V> force_a, force_b;    ///< force of the supports on the rod at its ends [N]
     Vector<V> moment_a, moment_b;  ///< moment of the joints at the ends on the rod [N.m]
     Vector<V> axis_a, axis_b;      ///< slope-constraint axes, from B to A, on their own frame
-    Vector<V> pose_position, pose_angles;  ///< of the platform at the last static solution
-    // R:48: load on the hull as its last rate took it [N, N.m], impulse still owed [N.s, N.m.s]
-    Vector<V> hull_force, hull_moment, owed_force, owed_moment;
-    V wave_index{};  ///< last grid time j of R:19 sampled; none: -1
+    Vector<V> pose_position, pose_angles;  ///< of the (first) platform at the last static solution
+    std::array<HandedState<V>, 2> handed;  ///< to the one or two platforms of the rod
+    V wave_index{};                        ///< last grid time j of R:19 sampled; none: -1
 };
 
 template <class V>

@@ -103,8 +103,10 @@ auto RodPack<V>::guess_under_tension(int lane, const LineConstraint& tensioner,
                                      const std::vector<CatenaryElement>& elements) -> Mask {
     // A riser that hangs in its tensioner: straight from its foot, the tension less the weight
     // below
+    const bool on_second = touched_.place_of(tensioner.platform) == 1;
+    const PlatformMotion its = on_second ? second_.at(0.0).motion : pose;
     const Vec3 top = tensioner.on_platform
-                         ? Vec3(pose.position + rotation(pose.angles) * tensioner.position)
+                         ? Vec3(its.position + rotation(its.angles) * tensioner.position)
                          : tensioner.position;
     double length = 0.0, T = tensioner.nominal_tension;
     for (const CatenaryElement& e : elements) {
@@ -523,7 +525,7 @@ Status RodGroup<V>::find_equilibrium(const PlatformMotion& pose, bool current) {
     if (!packs_.front().started_) {
         // The first solution is that of the design position in still water, from the catenary; axes
         // of joints that follow the static tangent are taken from it.
-        const PlatformMotion design;
+        const PlatformMotion design = packs_.front().design_;
         const Mask guessed = guess(used(), design);
         for (RodPack<V>& p : packs_) p.copy_idle_lanes();
         if (any(everything_of(guessed))) return unsolved(guessed);

@@ -327,16 +327,19 @@ void RodGroup<V>::couple() {
 }
 
 template <class V>
-Mat6 RodGroup<V>::stiffness(std::size_t p, int lane, const Vec3& reference) {
-    if (ties_.empty()) return packs_[p].stiffness(lane, reference);
+template <int m>
+Eigen::Matrix<double, m, m> RodGroup<V>::stiffness_about(std::size_t p, int lane,
+                                                         const std::array<Vec3, 2>& reference) {
+    if (ties_.empty()) return packs_[p].template stiffness_about<m>(lane, reference, nullptr);
     const auto n = static_cast<Eigen::Index>(3 * sides_.size());
-    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(n, n), G = Eigen::MatrixXd::Zero(n, 6);
-    Mat6 own = Mat6::Zero();
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(n, n), G = Eigen::MatrixXd::Zero(n, m);
+    Eigen::Matrix<double, m, m> own = Eigen::Matrix<double, m, m>::Zero();
     for (std::size_t q = 0; q < packs_.size(); ++q) {
         TieBorder<V> border;
         for (const TieSide<V>& side : sides_)
             if (side.pack == q) border.sides.push_back(&side);
-        const Mat6 S = packs_[q].stiffness(lane, reference, &border);
+        const Eigen::Matrix<double, m, m> S =
+            packs_[q].template stiffness_about<m>(lane, reference, &border);
         if (q == p) own = S;
         Eigen::Index row = 0, left = 0;
         for (std::size_t a = 0; a < sides_.size(); ++a) {
@@ -373,13 +376,15 @@ template void RodGroup<Single>::follow_ties();
 template void RodGroup<Single>::answer_ties();
 template void RodGroup<Single>::couple();
 template void RodGroup<Single>::carry_ties();
-template Mat6 RodGroup<Single>::stiffness(std::size_t, int, const Vec3&);
+template Mat6 RodGroup<Single>::stiffness_about<6>(std::size_t, int, const std::array<Vec3, 2>&);
+template Mat12 RodGroup<Single>::stiffness_about<12>(std::size_t, int, const std::array<Vec3, 2>&);
 template void RodGroup<Quad>::find_ties();
 template void RodGroup<Quad>::place_ties(State, bool);
 template void RodGroup<Quad>::follow_ties();
 template void RodGroup<Quad>::answer_ties();
 template void RodGroup<Quad>::couple();
 template void RodGroup<Quad>::carry_ties();
-template Mat6 RodGroup<Quad>::stiffness(std::size_t, int, const Vec3&);
+template Mat6 RodGroup<Quad>::stiffness_about<6>(std::size_t, int, const std::array<Vec3, 2>&);
+template Mat12 RodGroup<Quad>::stiffness_about<12>(std::size_t, int, const std::array<Vec3, 2>&);
 
 }  // namespace hawser::worker

@@ -153,7 +153,7 @@ void RodPack<V>::begin_pass(double t0, double t1, const MotionSpline& platform, 
     platform_ = platform;
     const double sampled = LaneTraits<V>::get(kept_.head().wave_index, 0);
     if (sampled < 0.0 || (sampled + 1e-9) * wave_step_ < t0 + platform_step_)
-        refresh_water(t0 + platform_step_, platform.at(t0).motion);
+        refresh_water(t0 + platform_step_, motion_of(place_a_.hull, platform).at(t0).motion);
     working_ = kept_;  // always from the kept state
     begin_handing_over(t0, t1, platform);
     ++work_.passes;

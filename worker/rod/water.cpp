@@ -131,7 +131,8 @@ void RodPack<V>::shelter_water(V t, const MotionSpline& platform, bool moves, co
     // stands for crosses the border gradually, like the free surface in R:18.
     Vector<V> origin, up, velocity, spin, acceleration, spin_rate;
     for (int i = 0; i < lanes; ++i) {
-        const MotionSpline::Sample now = platform.at(LaneTraits<V>::get(t, i));
+        const MotionSpline::Sample now =
+            motion_of(place_a_.hull, platform).at(LaneTraits<V>::get(t, i));
         const PlatformMotion& m = now.motion;
         set_lane_vector(origin, i, m.position);
         set_lane_vector(up, i, rotation(m.angles).col(2));

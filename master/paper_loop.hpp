@@ -2,6 +2,8 @@
 // per step, of which they keep the last.
 #pragma once
 
+#include <type_traits>
+
 #include "paper_rate.hpp"
 
 namespace hawser::master {
@@ -20,7 +22,7 @@ namespace hawser::master {
 /// (`rate.loads()` ...), sets the flags of the next order and returns false to end the run.
 /// @return the last state
 template <class Platform, class Y, class Record>
-Y paper_loop(PaperRate<Platform, Y>& rate, Y y, double D, Record&& record) {
+Y paper_loop(PaperRate<Platform, Y>& rate, std::type_identity_t<Y> y, double D, Record&& record) {
     Y k1 = rate.at_start(y);  // lines' forces at the static start
     for (int step = 0; record(step, step * D, y); ++step) {
         const double t = step * D, half = (step + 0.5) * D, end = (step + 1) * D;  // no running sum

@@ -93,7 +93,7 @@ TEST(Equilibrium, BalancesPlatformAndLinesInAllSixMotions) {
     EXPECT_GT(at.pose.position.x(), 1.0);  // pushed towards +x it goes there
     EXPECT_LE(at.iterations, 15);
     // The lines' last order was for the pose returned: that is where the run starts from.
-    EXPECT_EQ(lines.orders.back().to, at.pose);
+    EXPECT_EQ(lines.orders.back().to[0], at.pose);
     EXPECT_EQ(lines.orders.back().ask, Ask::equilibrium);
     EXPECT_EQ(at.pose.velocity, Vec3::Zero());
 }
@@ -114,7 +114,8 @@ TEST(Equilibrium, GoesInLimitedSteps) {
     load[0] = 4e5;  // 20 m
     find_equilibrium(pushed(load), lines, PlatformMotion{}, true, NewtonLimits{}, describe);
     for (size_t i = 1; i < lines.orders.size(); ++i)
-        EXPECT_LE((lines.orders[i].to.position - lines.orders[i - 1].to.position).norm(), 5.0001);
+        EXPECT_LE((lines.orders[i].to[0].position - lines.orders[i - 1].to[0].position).norm(),
+                  5.0001);
 }
 
 TEST(Equilibrium, TriesALineThatFailsAgainAtHalfTheStep) {

@@ -155,7 +155,7 @@ LedgerTable ledger_of(const Case& c, std::vector<State>* states = nullptr) {
     PlatformMotion from = hull.held_at(0).motion;
     from = with_held({.position = {2, -1, 0.5}, .angles = {0.3, -0.2, 0.1}}, from, hull.held());
     Order to;
-    to.to = from;
+    to.to[0] = from;
     lines.send(to);
     PaperRate<Hull> rate(hull, lines, lines.receive());
     PlatformLedger ledger(c);

@@ -200,7 +200,8 @@ TEST(PaperLoop, SendsEveryPassFromTheKeptStateAndKeepsTheLastOnly) {
             EXPECT_EQ(pass[i].sample, i == 0);  // a flag is carried once
         }
         // stage states from the platform's state alone: s1 and s3 are Euler steps
-        EXPECT_EQ(pass[0].to.position, pass[0].from.position + D / 2 * pass[0].from.velocity);
+        EXPECT_EQ(pass[0].to[0].position,
+                  pass[0].from[0].position + D / 2 * pass[0].from[0].velocity);
         if (step > 0) {
             EXPECT_EQ(pass[0].from, pass[-1].to);  // the spline goes on from where it ended
         }

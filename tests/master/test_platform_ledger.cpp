@@ -43,10 +43,10 @@ LedgerTable ledger_with(const Fault& fault) {
     stiffness << 5e5, 4e5, 1e7, 3e8, 3e8, 5e7;
     test::SpringLines lines({0.7 * stiffness, 0.3 * stiffness});
     Order to;  // the springs' answer at the start
-    to.to = {.position = {2, -1, 0.5},
-             .angles = {0.05, -0.08, 0.1},
-             .velocity = {0.5, 0.3, 0},
-             .angle_rates = {0.01, -0.02, 0.03}};
+    to.to[0] = {.position = {2, -1, 0.5},
+                .angles = {0.05, -0.08, 0.1},
+                .velocity = {0.5, 0.3, 0},
+                .angle_rates = {0.01, -0.02, 0.03}};
     lines.send(to);
     PaperRate<Hull> rate(hull, lines, lines.receive());
     PlatformLedger ledger(input);
@@ -56,7 +56,7 @@ LedgerTable ledger_with(const Fault& fault) {
         if (fault) fault(loads, reply);
         ledger.add(stage, t, loads, reply, hull.momentum(s), motion_of(s).velocity);
     });
-    paper_loop(rate, hull.start(to.to, to.to), D,
+    paper_loop(rate, hull.start(to.to[0], to.to[0]), D,
                [](int step, double, const State&) { return step < 150; });
     return ledger.table();
 }

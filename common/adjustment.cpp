@@ -8,7 +8,8 @@ namespace hawser {
 
 double adjusted_quantity(const Line& line) {
     if (line.target.adjust == StaticTarget::Adjust::anchor_radius)
-        return std::hypot(line.end_b.position.x(), line.end_b.position.y());
+        return std::hypot(line.end_b.position.x() - line.radii_from.x(),
+                          line.end_b.position.y() - line.radii_from.y());
     return line.sections.at(static_cast<std::size_t>(line.target.section)).length;
 }
 
@@ -17,9 +18,9 @@ void adjust(Case& input, int index, double value) {
     const double change = value - adjusted_quantity(line);
     if (line.target.adjust == StaticTarget::Adjust::anchor_radius) {
         Vec3& b = line.end_b.position;
-        const double before = std::hypot(b.x(), b.y());
+        const double before = adjusted_quantity(line);
         const double above = b.z() - input.environment.seabed.height(b.x(), b.y());
-        b.x() *= value / before, b.y() *= value / before;
+        b.head<2>() = line.radii_from.head<2>() + value / before * (b - line.radii_from).head<2>();
         if (line.end_b.kind == EndKind::anchor)
             b.z() = input.environment.seabed.height(b.x(), b.y()) + above;
         return;

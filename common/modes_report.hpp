@@ -12,11 +12,13 @@
 
 namespace hawser {
 
-/// A natural mode of the platform with its lines.
+/// A natural mode of the platform, or of several together, with the lines.
 struct CoupledMode {
     double omega_squared = 0.0;   ///< [rad2/s2]; not above zero: nothing holds it, or it falls over
-    Vec6 shape = Vec6::Zero();    ///< surge ... yaw about O; its main motion is 1 m or 1 rad
-    int motion = 0;               ///< the motion that it is named after, 0 ... 5
+    int platform = 0;             ///< that it is named after
+    int motion = 0;               ///< of that, 0 ... 5: the motion that it is named after
+    Vec6 shape = Vec6::Zero();    ///< of that, surge ... yaw about O; its main motion is 1
+    std::vector<Vec6> all = {};   ///< of several platforms: the part of each, to that scale
     double share = 0.0;           ///< of the kinetic energy that is in that motion
     double line_inertia = 0.0;    ///< share of the kinetic energy that is in the lines
     double line_stiffness = 0.0;  ///< share of the elastic energy that is in the lines
@@ -36,8 +38,8 @@ struct LineModes {
 };
 
 struct ModesReport {
-    std::string platform;  ///< its name; empty without one
-    std::optional<std::array<CoupledMode, 6>> coupled;
+    std::vector<std::string> platforms;  ///< their names
+    std::vector<CoupledMode> coupled;    ///< six per platform; none without one
     std::vector<LineModes> lines;
     std::vector<std::string> warnings;
 };

@@ -22,13 +22,14 @@ struct Stability {
 
 struct PlatformAtRest {
     std::string name;
-    PlatformMotion position;  ///< equilibrium under the mean loads
+    PlatformMotion position;  ///< equilibrium under the mean loads, on world axes
     double mass = 0.0;        ///< [kg]
     bool mass_is_auto = false;
     double acting_buoyancy = 0.0;     ///< at the design draft [N]
     double vertical_line_load = 0.0;  ///< at the design position in still water, downwards [N]
     Vec6 line_load = Vec6::Zero();    ///< at the equilibrium, about O [N, N.m]
-    Mat6 stiffness = Mat6::Zero(), line_stiffness = Mat6::Zero();  ///< all; lines' part
+    /// All; lines' part. Of several platforms each for its own motions, the others held.
+    Mat6 stiffness = Mat6::Zero(), line_stiffness = Mat6::Zero();
     Stability stability;
     std::array<std::optional<double>, 6> periods;  ///< surge ... yaw [s]
     double added_mass_frequency = 0.0;             ///< [rad/s]; 0: constant matrices
@@ -64,8 +65,8 @@ struct OffsetCurve {
 };
 
 struct StaticsReport {
-    std::optional<PlatformAtRest> platform;
-    std::vector<LineAtRest> lines;  ///< in line order
+    std::vector<PlatformAtRest> platforms;  ///< in the order of the case
+    std::vector<LineAtRest> lines;          ///< in line order
     std::optional<OffsetCurve> curve;
     std::vector<std::string> warnings;
 };

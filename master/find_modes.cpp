@@ -35,8 +35,8 @@ ModesReport find_modes(const Case& input, const ModesRequest& request) {
         leave_out_initial(*at_rest.platform);
         const StaticStart start = static_start(at_rest, hull, *lines);
         report.warnings = start.notes;
-        report.platform = input.platform->name;
-        report.coupled = start.modes;
+        report.platforms = {input.platform->name};
+        report.coupled.assign(start.modes.begin(), start.modes.end());
     }
     std::vector<LineAtRest> rest = lines->at_rest();
     std::vector<int> tied;

@@ -42,7 +42,7 @@ Case without_lines(const Case& input, const std::string& glob) {
             c.other_line = place[other];
         }
     if (left.platform && !left.platform->mass)
-        left.platform->mass = find_statics(input, {}).platform->mass;
+        left.platform->mass = find_statics(input, {}).platforms.front().mass;
     return left;
 }
 
@@ -73,7 +73,7 @@ StaticsReport find_statics(const Case& input, const StaticsRequest& request) {
         leave_out_initial(*at_rest.platform);
         const StaticStart start = static_start(at_rest, hull, *lines);
         report.warnings = start.notes;
-        PlatformAtRest& p = report.platform.emplace();
+        PlatformAtRest& p = report.platforms.emplace_back();
         p.name = input.platform->name;
         p.position = start.equilibrium;
         p.mass = hull.mass();

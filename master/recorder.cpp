@@ -28,7 +28,7 @@ Recorder::Recorder(const Case& input, const Sea& sea, io::SeriesWriter& results)
     const double D = input.analysis.dynamics.platform_step;
     sample_every_ = steps_between(input.output.interval, D);
     snapshot_every_ = input.output.snapshots ? steps_between(*input.output.snapshots, D) : 0;
-    const std::string root = io::platform_path(input);
+    const std::string root = input.platform ? io::platform_path(*input.platform) : "/platform/";
     position_ = declare(root + "position", 6);
     velocity_ = declare(root + "velocity", 6);
     acceleration_ = declare(root + "acceleration", 6);

@@ -108,7 +108,7 @@ void Simulation::lines_alone() {
 
 void Simulation::keep_statics(const PlatformMotion* platform, const Reply& lines) {
     statics_.emplace();
-    if (platform != nullptr) statics_->platform = *platform;
+    if (platform != nullptr) statics_->platforms = {*platform};
     for (const LineLoad& line : lines.lines) statics_->end_a_tension.push_back(line.end_tension);
     report_.log("static start found");
     last_segment_ = wall_seconds();

@@ -66,8 +66,8 @@ io::RunRecord Simulation::record(ExitCode code, const std::string& message,
     r.adjustments = request_.adjustments;
     r.impulses = impulses_;
     if (hull_ != nullptr) {
-        if (ledger_.started()) r.ledger = ledger_.table();
-        r.platform = platform_facts_;
+        if (ledger_.started()) r.ledgers = {ledger_.table()};
+        if (!platform_facts_.empty()) r.platforms = {platform_facts_};
     }
     r.performance = performance_facts(times, t_, lines_.orders());
     return r;

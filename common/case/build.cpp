@@ -25,7 +25,13 @@ class Build {
         value_.environment = declared_.environment;
         value_.analysis = declared_.analysis;
         value_.output = declared_.output;
-        if (declared_.platform) platform(*declared_.platform, folder);
+        if (declared_.platform) value_.platform = platform(*declared_.platform, folder);
+        for (const PlatformKeys& keys : declared_.platforms) {
+            if (value_.platform)
+                value_.further_platforms.push_back(platform(keys, folder));
+            else
+                value_.platform = platform(keys, folder);
+        }
         for (const LineTypeKeys& type : declared_.line_types) {
             value_.line_types.push_back(line_type(type));
         }
@@ -39,7 +45,7 @@ class Build {
         problems_.push_back({Severity::error, path, message, {}});
     }
 
-    void platform(const PlatformKeys& keys, const std::filesystem::path& folder) {
+    Platform platform(const PlatformKeys& keys, const std::filesystem::path& folder) {
         Platform p = keys;
         if (keys.gyration) p.radii_of_gyration = *keys.gyration;
         for (std::size_t i = 0; i < keys.plate_groups.size(); ++i) {
@@ -49,7 +55,8 @@ class Build {
                         .Cd = group.Cd,
                         .added_mass = group.added_mass};
             if (group.normal.norm() == 0.0) {
-                error(fmt::format("platform.plates[{}].normal", i), "the normal has no length");
+                error(fmt::format("{}.plates[{}].normal", keys.key_path, i),
+                      "the normal has no length");
             }
             plate.normal = group.normal.normalized();
             std::vector<Vec3> places;
@@ -69,7 +76,7 @@ class Build {
         };
         for (AppliedForce& f : p.forces) found(f.path);
         if (p.prescribed) found(p.prescribed->path);
-        value_.platform = std::move(p);
+        return p;
     }
 
     void taper(const LineTypeKeys& type) {
@@ -96,16 +103,15 @@ class Build {
         line.family = keys.family;
         line.azimuth = keys.azimuth.value_or(0.0);
         line.time_step = keys.time_step;
-        line.end_a = end(keys.end_a, keys, path + ".end_a");
-        line.end_b = end(keys.end_b, keys, path + ".end_b");
-        if (keys.end_b.wellhead_z) {
-            line.end_b.position.x() = line.end_a.position.x();
-            line.end_b.position.y() = line.end_a.position.y();
-        }
+        line.radii_from = declared_.design_of(declared_.platform_of(keys));
+        line.end_a = end(keys.end_a, keys, line.radii_from, path + ".end_a");
+        line.end_b = end(keys.end_b, keys, line.radii_from, path + ".end_b");
+        if (keys.end_b.wellhead_z) line.end_b.position.head<2>() = place_of(line.end_a).head<2>();
         if (keys.end_a.wellhead_z) error(path + ".end_a", "a wellhead is for end B");
-        if (line.end_b.kind == EndKind::platform) {
-            error(path + ".end_b.platform",
-                  "end B on a platform: not available in this version; let end A be there");
+        if (line.end_b.kind == EndKind::platform && line.end_b.joint != Joint::ball) {
+            error(
+                path + ".end_b.joint",
+                "end B turns freely on a platform in this version; expected ball, or end A there");
         }
         for (std::size_t i = 0; i < keys.sections.size(); ++i)
             section(keys.sections[i], i, path, line);
@@ -214,17 +220,27 @@ class Build {
         line.attachments.push_back(a);
     }
 
-    LineEnd end(const EndKeys& keys, const LineKeys& line, const std::string& path) {
+    /// World place of an end at the design position.
+    Vec3 place_of(const LineEnd& end) const {
+        if (end.kind != EndKind::platform) return end.position;
+        return declared_.design_of(end.platform) + end.position;
+    }
+
+    /// @param from  axis from which radii on the seabed count, and places of a free end
+    LineEnd end(const EndKeys& keys, const LineKeys& line, const Vec3& from,
+                const std::string& path) {
         LineEnd e;
         if (keys.platform) {
             e.kind = EndKind::platform;
-            const std::string ours = declared_.platform ? declared_.platform->name : std::string();
-            if (!declared_.platform) {
+            const std::vector<std::string> known = declared_.platform_names();
+            const int found = declared_.find_platform(*keys.platform);
+            if (known.empty()) {
                 error(path + ".platform", "the case has no platform");
-            } else if (*keys.platform != ours) {
+            } else if (found < 0) {
                 error(path + ".platform", fmt::format("unknown platform \"{}\"{}", *keys.platform,
-                                                      suggestion(*keys.platform, {ours})));
+                                                      suggestion(*keys.platform, known)));
             }
+            e.platform = std::max(found, 0);
             if (keys.polar) {
                 e.position =
                     on_circle(keys.polar->radius, keys.polar->azimuth.value_or(NAN), keys.polar->z);
@@ -238,7 +254,7 @@ class Build {
             e.kind = EndKind::anchor;
             const AnchorKeys& anchor = *keys.anchor;
             if (anchor.radius) {
-                e.position = on_circle(*anchor.radius, anchor.azimuth.value_or(NAN), 0.0);
+                e.position = from + on_circle(*anchor.radius, anchor.azimuth.value_or(NAN), 0.0);
                 e.position.z() = bed(e.position.x(), e.position.y());
             } else if (anchor.position) {
                 const double z = bed((*anchor.position)[0], (*anchor.position)[1]);
@@ -265,7 +281,7 @@ class Build {
         } else if (keys.free && !*keys.free) {
             error(path + ".free", "expected true, or another kind of end");
         }
-        if (keys.free == true && keys.position) e.position = *keys.position;
+        if (keys.free == true && keys.position) e.position = from + *keys.position;
         const bool placed = keys.polar || (keys.position && keys.free != true);
         if (placed && !keys.platform) {
             error(path, "\"position\" and \"polar\" are places on a platform: name it");

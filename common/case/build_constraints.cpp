@@ -32,7 +32,7 @@ class BuildConstraint {
             if (c.other_line >= 0) add(c);
             return;
         }
-        const std::vector<Vec3> places = this->places();
+        const std::vector<Vec3> places = this->places(c);
         if (keys_.names && keys_.names->find("{n}") == std::string::npos && places.size() > 1) {
             return error(".names", "several places need \"{n}\" in their names, e.g. \"plate{n}\"");
         }
@@ -121,12 +121,13 @@ class BuildConstraint {
             error("", "required key \"platform\" is missing: its name, or seabed for the earth");
         } else if (*keys_.platform == "seabed") {
             c.on_platform = false;
-        } else if (!declared_.platform) {
+        } else if (std::vector<std::string> known = declared_.platform_names(); known.empty()) {
             error(".platform", "the case has no platform; seabed stands for the earth");
-        } else if (*keys_.platform != declared_.platform->name) {
-            error(".platform",
-                  fmt::format("unknown platform \"{}\"{}", *keys_.platform,
-                              suggestion(*keys_.platform, {declared_.platform->name, "seabed"})));
+        } else if (c.platform = declared_.find_platform(*keys_.platform); c.platform < 0) {
+            c.platform = 0;
+            known.emplace_back("seabed");
+            error(".platform", fmt::format("unknown platform \"{}\"{}", *keys_.platform,
+                                           suggestion(*keys_.platform, known)));
         }
         return c;
     }
@@ -151,8 +152,8 @@ class BuildConstraint {
                                  path_ + ".line_arc", problems_);
     }
 
-    /// Where it stands: heights are on the line's own vertical.
-    std::vector<Vec3> places() {
+    /// Where it stands, on its own axes: heights are on the line's own vertical.
+    std::vector<Vec3> places(const LineConstraint& c) {
         if (keys_.type == ConstraintKind::pull_tube) {
             if (keys_.path.size() < 2) error(".path", "expected at least two points");
             if (!keys_.z.empty() || keys_.position)
@@ -169,10 +170,14 @@ class BuildConstraint {
             error(".z", "x and y are those of end A, which has none: give \"position\"");
             return {};
         }
+        const auto design = [this](bool on_platform, int k) {
+            return on_platform ? declared_.design_of(k) : Vec3::Zero().eval();
+        };
+        const LineEnd& a = line_.end_a;
+        const Vec3 top = a.position + design(a.kind == EndKind::platform, a.platform) -
+                         design(c.on_platform, c.platform);
         std::vector<Vec3> places;
-        for (const double z : keys_.z) {
-            places.emplace_back(line_.end_a.position.x(), line_.end_a.position.y(), z);
-        }
+        for (const double z : keys_.z) places.emplace_back(top.x(), top.y(), z);
         return places;
     }
 

@@ -39,6 +39,16 @@ struct Case {
         if (k < platform_count()) at.position = platform_at(k).position;
         return at;
     }
+    /// Where an end of a line is on world axes, its platform as designed; of an end that is free or
+    /// on another line: nowhere in particular.
+    [[nodiscard]] Vec3 place_of(const LineEnd& end) const {
+        if (end.kind != EndKind::platform) return end.position;
+        return design_of(end.platform).position + end.position;
+    }
+    /// The same of a point on the axes of a constraint.
+    [[nodiscard]] Vec3 place_of(const LineConstraint& c, const Vec3& point) const {
+        return c.on_platform ? Vec3(design_of(c.platform).position + point) : point;
+    }
 };
 
 }  // namespace hawser

@@ -25,7 +25,8 @@ class Checks {
     void run() {
         water();
         check_waves(case_, problems_);
-        if (case_.platform) platform(*case_.platform);
+        for (int k = 0; k < case_.platform_count(); ++k) platform(case_.platform_at(k));
+        between_platforms();
         for (const LineType& type : case_.line_types) line_type(type);
         for (std::size_t i = 0; i < case_.lines.size(); ++i) {
             check_line(case_.lines[i], declared_.lines[i], case_, problems_);
@@ -62,45 +63,50 @@ class Checks {
             check_displacement(case_, p, d ? *d->displaced_volume : 0.0, problems_);
         const Hydrodynamics& hydro = p.hydrodynamics;
         if (hydro.wave_phase == WavePhase::instantaneous && hydro.drift != Drift::none) {
-            warning("platform.hydrodynamics.wave_phase",
+            warning(p.key_path + ".hydrodynamics.wave_phase",
                     "instantaneous counts part of the mean drift twice; use slow");
         }
         if (hydro.database && hydro.database->rho &&
             std::abs(*hydro.database->rho / case_.environment.water.density - 1.0) > 0.005) {
-            warning("platform.hydrodynamics.database.rho",
+            warning(p.key_path + ".hydrodynamics.database.rho",
                     fmt::format("{:.6g} kg/m3, but the water has {:.6g} kg/m3",
                                 *hydro.database->rho, case_.environment.water.density));
         }
         if (!p.members.empty() && p.quadratic_damping.norm() > 0.0) {
-            warning("platform.damping.quadratic", "acts together with the drag of the members");
+            warning(p.key_path + ".damping.quadratic",
+                    "acts together with the drag of the members");
         }
         if (hydro.database) counted_twice(p);
         if (p.current_coefficients && std::any_of(p.members.begin(), p.members.end(),
                                                   [](const Member& m) { return m.Cd > 0.0; })) {
-            warning("platform.current_coefficients",
+            warning(p.key_path + ".current_coefficients",
                     "the members' drag on the hull's own motion acts beside them");
         }
+        const double depth = -case_.environment.seabed.height(p.position.x(), p.position.y());
         double highest = -1e300;
         for (std::size_t i = 0; i < p.members.size(); ++i) {
             const Member& m = p.members[i];
             highest = std::max({highest, m.from.z(), m.to.z()});
-            if (std::min(m.from.z(), m.to.z()) < -case_.environment.seabed.depth) {
-                error(fmt::format("platform.members[{}]", i), "reaches below the seabed");
+            if (std::min(m.from.z(), m.to.z()) < -depth) {
+                error(fmt::format("{}.members[{}]", p.key_path, i), "reaches below the seabed");
             }
         }
         const bool surface_piercing = highest > 0.0;
         if (surface_piercing && highest < expected_crest(case_.environment.waves)) {
             warning(
-                "platform.members",
+                p.key_path + ".members",
                 fmt::format("the highest end is at {:.6g} m, below the expected crest at {:.1f} "
                             "m: no drag above it",
                             highest, expected_crest(case_.environment.waves)));
         }
-        if (p.draft && *p.draft > case_.environment.seabed.depth) {
-            error("platform.draft", "deeper than the water");
+        if (p.draft && *p.draft > depth) {
+            error(p.key_path + ".draft", "deeper than the water");
         }
         if (case_.environment.wind && !p.wind) {
-            warning("environment.wind", "the platform has no wind area, so wind has no effect");
+            warning("environment.wind",
+                    case_.platform_count() > 1
+                        ? fmt::format("{} has no wind area, so wind has no effect on it", p.name)
+                        : "the platform has no wind area, so wind has no effect");
         }
     }
 
@@ -133,7 +139,7 @@ class Checks {
                 }
                 if (2 * within <= wet) continue;
                 error(
-                    fmt::format("platform.members[{}]", i),
+                    fmt::format("{}.members[{}]", p.key_path, i),
                     fmt::format("displaces water inside \"{}\", whose inertia is false because the "
                                 "database contains it: its volume would count twice; give it "
                                 "inertia: false",
@@ -141,6 +147,15 @@ class Checks {
                 break;
             }
         }
+    }
+
+    /// What several platforms in one sea do not feel of each other.
+    void between_platforms() {
+        if (case_.platform_count() < 2 || case_.environment.waves.empty()) return;
+        warning("platforms",
+                "no hydrodynamic interaction: each platform meets the undisturbed sea, radiation "
+                "of the others does not reach it and none shields another; right where they are "
+                "far apart or small against the waves");
     }
 
     void line_type(const LineType& type) {

@@ -10,6 +10,7 @@
 #include "case/line_type_rules.hpp"
 #include "case/wave_rules.hpp"
 #include "environment/wave_trains.hpp"
+#include "message.hpp"
 
 namespace hawser {
 namespace {
@@ -26,7 +27,7 @@ class Completion {
         waves();
         current();
         wind();
-        if (case_.platform) platform(*case_.platform);
+        platforms();
         for (LineTypeKeys& type : case_.line_types) line_type(type);
         for (LineKeys& line : case_.lines) this->line(line);
         analysis_and_output();
@@ -96,12 +97,12 @@ class Completion {
             }
     }
 
-    void wind(WindArea& w) {
-        headings(w.coefficients, "platform.wind.coefficients");
+    void wind(WindArea& w, const std::string& path) {
+        headings(w.coefficients, path + ".coefficients");
         if (!w.side_area) w.side_area = w.area;
         for (const auto& row : w.coefficients)
             if (row[3] != 0.0 && w.length == 0.0) {
-                error("platform.wind.length", "required key \"length\" is missing (Cyaw is not 0)");
+                error(path + ".length", "required key \"length\" is missing (Cyaw is not 0)");
                 break;
             }
     }
@@ -110,7 +111,7 @@ class Completion {
     void histories(PlatformKeys& p) {
         for (std::size_t i = 0; i < p.forces.size(); ++i) {
             const AppliedForce& f = p.forces[i];
-            const std::string path = fmt::format("platform.forces[{}]", i);
+            const std::string path = fmt::format("{}.forces[{}]", p.key_path, i);
             if (!f.path.empty() && (f.force || f.moment || f.period || !f.factor.empty()))
                 error(path + ".file", "the file has force and moment in time: nothing beside it");
             if (f.period && !f.factor.empty())
@@ -124,7 +125,7 @@ class Completion {
         if (!p.prescribed || p.prescribed->path.empty()) return;
         for (const auto& harmonic : p.prescribed->harmonic)
             if (harmonic) {
-                error("platform.prescribed_motion.file",
+                error(p.key_path + ".prescribed_motion.file",
                       "the file has all six motions: no harmonic beside it");
                 break;
             }
@@ -133,26 +134,68 @@ class Completion {
     /// What a platform needs that moves by itself, and one that is led does not.
     void rigid_body(PlatformKeys& p) {
         if (p.prescribed) {
-            if (!given("platform.mass")) p.mass = 0.0;
+            if (!given(p.key_path + ".mass")) p.mass = 0.0;
             if (p.fixed != std::array<bool, 6>{})
-                error("platform.fixed_modes", "every motion is prescribed");
+                error(p.key_path + ".fixed_modes", "every motion is prescribed");
             if (p.initial != PlatformMotion{})
-                error("platform.initial", "every motion is prescribed");
+                error(p.key_path + ".initial", "every motion is prescribed");
             return;
         }
         const auto missing = [&](const char* key) {
-            error("platform", fmt::format("required key \"{}\" is missing", key));
+            error(p.key_path, fmt::format("required key \"{}\" is missing", key));
         };
-        if (!given("platform.mass")) missing("mass");
-        if (!given("platform.centre_of_gravity")) missing("centre_of_gravity");
+        if (!given(p.key_path + ".mass")) missing("mass");
+        if (!given(p.key_path + ".centre_of_gravity")) missing("centre_of_gravity");
         if (!p.gyration && !p.inertia)
-            error("platform", "expected one of \"radii_of_gyration\", \"inertia\"");
-        if (p.mass && *p.mass == 0.0) error("platform.mass", "expected a value above 0 kg");
+            error(p.key_path, "expected one of \"radii_of_gyration\", \"inertia\"");
+        if (p.mass && *p.mass == 0.0) error(p.key_path + ".mass", "expected a value above 0 kg");
         for (std::size_t i = 0; i < 6; ++i) {
             const auto k = static_cast<Eigen::Index>(i % 3);
             const double rate = i < 3 ? p.initial.velocity[k] : p.initial.angle_rates[k];
             if (p.fixed[i] && rate != 0.0)
-                error("platform.initial.velocity", "a motion of fixed_modes has no velocity");
+                error(p.key_path + ".initial.velocity", "a motion of fixed_modes has no velocity");
+        }
+    }
+
+    /// Names that results and lines can use, places that differ, and each platform for itself.
+    void platforms() {
+        std::vector<PlatformKeys>& all = case_.platforms;
+        if (!all.empty()) case_.platform.reset();  // of both, which is told, these are looked at
+        if (all.empty() && given("platforms")) error("platforms", "expected at least one platform");
+        if (all.size() > most_platforms)
+            error("platforms",
+                  fmt::format("{} platforms; at most {} in one case: order and reply between the "
+                              "ranks have room for no more",
+                              all.size(), most_platforms));
+        for (PlatformKeys& p : all) p.key_path = "platforms." + p.name;
+        if (case_.platform) {
+            name(case_.platform->name, "platform.name");
+            platform(*case_.platform);
+        }
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            name(all[k].name, all[k].key_path);
+            for (std::size_t i = 0; i < k; ++i)
+                if ((all[i].position - all[k].position).norm() == 0.0)
+                    error(
+                        all[k].key_path + (given(all[k].key_path + ".position") ? ".position" : ""),
+                        fmt::format("stands where \"{}\" stands; expected a position of its own",
+                                    all[i].name));
+            platform(all[k]);
+        }
+    }
+
+    /// A name becomes a group of the result file, a part of the paths of keys and a word of
+    /// `platform:` in constraints.
+    void name(const std::string& name, const std::string& path) {
+        if (name == "seabed") {
+            error(path, "\"seabed\" stands for the earth: give the platform another name");
+        } else if (name.empty() || name.front() == ' ' || name.back() == ' ' ||
+                   name.find_first_of("/.[]{}*?\"\\") != std::string::npos ||
+                   std::any_of(name.begin(), name.end(),
+                               [](unsigned char c) { return c < ' ' || c == 0x7f; })) {
+            error(path, fmt::format("\"{}\" cannot be a name in result paths; expected letters, "
+                                    "digits, _ or -",
+                                    name));
         }
     }
 
@@ -162,11 +205,11 @@ class Completion {
             p.current_coefficients->depth = 0.5 * p.current_coefficients->draft;
         if (p.current_coefficients)
             headings(p.current_coefficients->coefficients,
-                     "platform.current_coefficients.coefficients");
-        if (p.wind) wind(*p.wind);
+                     p.key_path + ".current_coefficients.coefficients");
+        if (p.wind) wind(*p.wind, p.key_path + ".wind");
         histories(p);
         Hydrodynamics& hydro = p.hydrodynamics;
-        const std::string path = "platform.hydrodynamics";
+        const std::string path = p.key_path + ".hydrodynamics";
         const std::vector<WaveTrain>& trains = case_.environment.waves;
         const std::optional<double> peak = main_peak(trains), longest = lowest_peak(trains);
         if (hydro.memory && !hydro.database)
@@ -230,7 +273,7 @@ class Completion {
 
     void member(PlatformKeys& p, std::size_t i) {
         Member& m = p.members[i];
-        const std::string path = fmt::format("platform.members[{}]", i);
+        const std::string path = fmt::format("{}.members[{}]", p.key_path, i);
         if (!given(path + ".inertia")) m.inertia = !p.hydrodynamics.database;
         if (!given(path + ".displaced_area")) {
             m.displaced_area = m.inertia ? pi / 4.0 * m.diameter * m.diameter : 0.0;
@@ -314,27 +357,30 @@ class Completion {
             if (end->polar && !end->polar->azimuth) fill(&end->polar->azimuth, "end_b.polar");
         }
         if (!line.azimuth) {
-            const std::optional<Vec3> a = horizontal(line.end_a), b = horizontal(line.end_b);
+            const Vec3 from = case_.design_of(case_.platform_of(line));
+            const std::optional<Vec3> a = horizontal(line.end_a, from),
+                                      b = horizontal(line.end_b, from);
             const Vec3 span = a && b ? Vec3(*b - *a) : Vec3::Zero().eval();
             line.azimuth = span.head<2>().norm() > 0.0 ? std::atan2(span.y(), span.x()) : 0.0;
         }
     }
 
     /// Place of an end in plan, at the design position; nothing for a free end.
-    static std::optional<Vec3> horizontal(const EndKeys& end) {
-        if (end.position) return *end.position;
+    /// @param from  where the line's radii count from
+    [[nodiscard]] std::optional<Vec3> horizontal(const EndKeys& end, const Vec3& from) const {
+        const auto on_circle = [](double radius, double azimuth) {
+            return Vec3(radius * std::cos(azimuth), radius * std::sin(azimuth), 0.0);
+        };
+        const Vec3 on = end.platform ? case_.design_of(case_.find_platform(*end.platform)) : from;
+        if (end.position) return on + *end.position;
         if (end.fixed) return *end.fixed;
-        if (end.polar && end.polar->azimuth) {
-            return Vec3(end.polar->radius * std::cos(*end.polar->azimuth),
-                        end.polar->radius * std::sin(*end.polar->azimuth), 0.0);
-        }
+        if (end.polar && end.polar->azimuth)
+            return on + on_circle(end.polar->radius, *end.polar->azimuth);
         if (end.anchor && end.anchor->position && end.anchor->position->size() >= 2) {
             return Vec3((*end.anchor->position)[0], (*end.anchor->position)[1], 0.0);
         }
-        if (end.anchor && end.anchor->radius && end.anchor->azimuth) {
-            return Vec3(*end.anchor->radius * std::cos(*end.anchor->azimuth),
-                        *end.anchor->radius * std::sin(*end.anchor->azimuth), 0.0);
-        }
+        if (end.anchor && end.anchor->radius && end.anchor->azimuth)
+            return from + on_circle(*end.anchor->radius, *end.anchor->azimuth);
         return {};
     }
 

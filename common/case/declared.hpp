@@ -198,12 +198,23 @@ struct PlatformKeys : Platform {
 struct DeclaredCase {
     std::string title, description;
     Environment environment;
-    std::optional<PlatformKeys> platform;
+    std::optional<PlatformKeys> platform;  ///< the only one ...
+    std::vector<PlatformKeys> platforms;   ///< ... or each by its name
     std::vector<Material> materials;
     std::vector<LineTypeKeys> line_types;
     std::vector<LineKeys> lines;
     Analysis analysis;
     Output output;
+
+    /// Names of the platforms, in the order of Case::platform_at.
+    [[nodiscard]] std::vector<std::string> platform_names() const;
+    /// Index of the platform of this name; -1: there is none.
+    [[nodiscard]] int find_platform(const std::string& name) const;
+    /// Where platform k is built to be [m]; the origin where there is no such platform.
+    [[nodiscard]] Vec3 design_of(int k) const;
+    /// The platform whose axis a line's radii and heights count from: that of end A, else that of
+    /// end B, else that of the first constraint on one; -1: none.
+    [[nodiscard]] int platform_of(const LineKeys& line) const;
 };
 
 /// Paths of the keys that the file gives: "platform.members[0].inertia".
@@ -213,6 +224,8 @@ using Given = std::set<std::string, std::less<>>;
 const Table& case_keys();
 const Table& environment_keys();
 const Table& platform_keys();
+/// The same without `name`: keys of one of several, which stand under its name.
+const Table& named_platform_keys();
 const Table& material_keys();
 const Table& line_type_keys();
 const Table& line_keys();

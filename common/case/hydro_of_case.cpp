@@ -45,9 +45,14 @@ bool covers(const WaveTable<Value>& table, double heading) {
     return b <= last + rounding;
 }
 
+/// In a sentence: one alone has no need of its name.
+std::string called(const Case& input, const Platform& p) {
+    return input.platform_count() > 1 ? p.name : "the platform";
+}
+
 template <class Value>
 void check_waves(const Case& input, const WaveTable<Value>& table, double yaw,
-                 const std::string& what, Problems& problems) {
+                 const std::string& what, const std::string& of, Problems& problems) {
     const Environment& e = input.environment;
     double energy = 0.0, outside = 0.0;
     for (std::size_t i = 0; i < e.waves.size(); ++i) {
@@ -66,10 +71,10 @@ void check_waves(const Case& input, const WaveTable<Value>& table, double yaw,
                 {Severity::error,
                  path + ".heading",
                  fmt::format(
-                     "waves meet the platform from a heading of {:.4g} deg, outside the "
+                     "waves meet {} from a heading of {:.4g} deg, outside the "
                      "{:.4g} to {:.4g} deg of the database's {}; headings are never "
                      "extrapolated: compute more of them, or state the symmetry of the hull",
-                     std::remainder(c.heading - yaw, turn) / degree,
+                     of, std::remainder(c.heading - yaw, turn) / degree,
                      table.headings.front().heading / degree,
                      table.headings.back().heading / degree, what),
                  {}});
@@ -88,7 +93,8 @@ void check_waves(const Case& input, const WaveTable<Value>& table, double yaw,
 
 /// The pairs of the waves' components that the QTF does not have are zero: how much they would
 /// carry, by the product of their energies.
-void check_pairs(const Case& input, const Qtf& qtf, const std::string& what, Problems& problems) {
+void check_pairs(const Case& input, const Platform& p, const Qtf& qtf, const std::string& what,
+                 Problems& problems) {
     const Environment& e = input.environment;
     const std::vector<double>& at = qtf.frequencies;
     const std::size_t N = at.size();
@@ -112,7 +118,7 @@ void check_pairs(const Case& input, const Qtf& qtf, const std::string& what, Pro
             if (pair.given[m * N + m] == 0 && energy[m] > 0.0) {
                 problems.push_back(
                     {Severity::error,
-                     "platform.hydrodynamics.drift",
+                     p.key_path + ".hydrodynamics.drift",
                      fmt::format("the database's {} has no value on its diagonal at {:.4g} rad/s, "
                                  "heading {:.4g} deg",
                                  what, at[m], pair.heading_1 / degree),
@@ -123,7 +129,7 @@ void check_pairs(const Case& input, const Qtf& qtf, const std::string& what, Pro
     if (missing > 0.01 * all)
         problems.push_back(
             {Severity::warning,
-             "platform.hydrodynamics.drift",
+             p.key_path + ".hydrodynamics.drift",
              fmt::format("the database's {} lacks pairs of frequencies that carry {:.1f} % of the "
                          "pairs of the waves by energy; they are taken for zero",
                          what, 100 * missing / all),
@@ -133,7 +139,7 @@ void check_pairs(const Case& input, const Qtf& qtf, const std::string& what, Pro
 /// Full QTFs: there, over the frequencies and headings of the waves, with all pairs.
 void check_qtf(const Case& input, const Platform& p, const HydroData& data, Problems& problems) {
     const auto add = [&](Severity severity, std::string message) {
-        problems.push_back({severity, "platform.hydrodynamics.drift", std::move(message), {}});
+        problems.push_back({severity, p.key_path + ".hydrodynamics.drift", std::move(message), {}});
     };
     if (data.difference.empty()) {
         add(Severity::error,
@@ -158,8 +164,8 @@ void check_qtf(const Case& input, const Platform& p, const HydroData& data, Prob
             add(Severity::error, fmt::format("the database's {} has no equal headings", what));
             continue;
         }
-        check_waves(input, own, p.initial.angles.z(), what, problems);
-        check_pairs(input, *qtf, what, problems);
+        check_waves(input, own, p.initial.angles.z(), what, called(input, p), problems);
+        check_pairs(input, p, *qtf, what, problems);
         const std::size_t H = own.headings.size();
         if (several && H > 1 && qtf->pairs.size() < H * H)
             add(Severity::note, fmt::format("the {} lacks pairs of unequal headings: waves of two "
@@ -171,29 +177,29 @@ void check_qtf(const Case& input, const Platform& p, const HydroData& data, Prob
 
 void check_displacement(const Case& input, const Platform& p, double volume, Problems& problems) {
     const double water = displaced_mass(input, p, volume);
-    const auto add = [&](Severity severity, const char* path, std::string message) {
-        problems.push_back({severity, path, std::move(message), {}});
+    const auto add = [&](Severity severity, const char* key, std::string message) {
+        problems.push_back({severity, p.key_path + key, std::move(message), {}});
     };
     if (p.displacement && std::abs(*p.displacement / water - 1.0) > 0.005)
-        add(Severity::error, "platform.displacement",
+        add(Severity::error, ".displacement",
             fmt::format("{:.0f} t given, but database and members displace {:.0f} t ({:+.2f} %; "
                         "0.5 % is allowed)",
                         *p.displacement / 1e3, water / 1e3,
                         100.0 * (*p.displacement / water - 1.0)));
     if (p.mass && input.lines.empty() && std::abs(*p.mass / water - 1.0) > 0.005)
-        add(Severity::warning, "platform.mass",
+        add(Severity::warning, ".mass",
             fmt::format("{:.0f} t, but {:.0f} t of water are displaced at the design draft: the "
                         "platform will rise or sink; `auto` keeps the draft",
                         *p.mass / 1e3, water / 1e3));
     if (!p.mass && water == 0.0)
-        add(Severity::error, "platform.mass",
+        add(Severity::error, ".mass",
             "auto needs buoyancy: a database or members that displace water");
 }
 
 void check_coverage(const Case& input, const Platform& p, const HydroData& data,
                     Problems& problems) {
     const Environment& e = input.environment;
-    const std::string database = "platform.hydrodynamics.database";
+    const std::string database = p.key_path + ".hydrodynamics.database";
     const auto warning = [&](const std::string& path, std::string message) {
         problems.push_back({Severity::warning, path, std::move(message), {}});
     };
@@ -215,7 +221,8 @@ void check_coverage(const Case& input, const Platform& p, const HydroData& data,
         return;
     }
     try {
-        check_waves(input, data.excitation, p.initial.angles.z(), "excitation", problems);
+        check_waves(input, data.excitation, p.initial.angles.z(), "excitation", called(input, p),
+                    problems);
         if (p.hydrodynamics.drift == Drift::none) return;
         if (p.hydrodynamics.drift == Drift::full_qtf) {
             check_qtf(input, p, data, problems);
@@ -223,11 +230,12 @@ void check_coverage(const Case& input, const Platform& p, const HydroData& data,
         }
         if (data.mean_drift.empty())
             problems.push_back({Severity::error,
-                                "platform.hydrodynamics.drift",
+                                p.key_path + ".hydrodynamics.drift",
                                 "the database holds no mean drift",
                                 {}});
         else
-            check_waves(input, data.mean_drift, p.initial.angles.z(), "mean drift", problems);
+            check_waves(input, data.mean_drift, p.initial.angles.z(), "mean drift",
+                        called(input, p), problems);
     } catch (const RunError&) {
         // waves that cannot be made are told by whoever makes them
     }

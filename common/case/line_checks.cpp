@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 #include "case/build_constraints.hpp"
 #include "line_mesh.hpp"
 #include "line_weight.hpp"
+#include "message.hpp"
 #include "packing.hpp"
 
 namespace hawser {
@@ -35,6 +37,7 @@ class LineChecks {
         response();
         parts();
         ties();
+        platforms();
         mesh();
     }
 
@@ -143,8 +146,33 @@ class LineChecks {
         return false;
     }
 
+    /// A line, with those that it is tied to, brings its load to two platforms at most.
+    void platforms() {
+        const std::vector<std::vector<int>> bundles = bundles_of(case_);
+        const auto own = std::find_if(bundles.begin(), bundles.end(), [&](const auto& bundle) {
+            return &case_.lines[static_cast<std::size_t>(bundle.front())] == &line_;
+        });
+        if (own == bundles.end()) return;  // said of the first line of a bundle
+        std::set<int> touched;
+        for (const int i : *own) {
+            const Line& line = case_.lines[static_cast<std::size_t>(i)];
+            for (const LineEnd* end : {&line.end_a, &line.end_b})
+                if (end->kind == EndKind::platform) touched.insert(end->platform);
+            for (const LineConstraint& c : line.constraints)
+                if (c.on_platform && c.other_line < 0) touched.insert(c.platform);
+        }
+        if (touched.size() <= most_touched || case_.platform_count() == 0) return;
+        std::string names;
+        for (const int k : touched)
+            names += (names.empty() ? "" : ", ") + case_.platform_at(k).name;
+        error("", fmt::format("touches the platforms {}{}; at most {}: the elimination carries the "
+                              "coordinates of no more",
+                              names, own->size() > 1 ? ", with the lines that it is tied to" : "",
+                              most_touched));
+    }
+
     void ends() {
-        const Vec3 &a = line_.end_a.position, &b = line_.end_b.position;
+        const Vec3 a = case_.place_of(line_.end_a), b = case_.place_of(line_.end_b);
         const double length = line_.length();
         const bool held = stands(line_.end_a) && stands(line_.end_b);
         const double distance = (b - a).norm();
@@ -161,10 +189,11 @@ class LineChecks {
         }
         for (const auto& [end, key] :
              {std::pair{&line_.end_a, ".end_a"}, {&line_.end_b, ".end_b"}}) {
-            const double floor = bed(end->position);
-            if (stands(*end) && end->position.z() < floor - 1e-9 * std::abs(floor)) {
-                error(key, fmt::format("z = {:.6g} m is below the seabed at {:.6g} m",
-                                       end->position.z(), floor));
+            const Vec3 at = case_.place_of(*end);
+            const double floor = bed(at);
+            if (stands(*end) && at.z() < floor - 1e-9 * std::abs(floor)) {
+                error(key,
+                      fmt::format("z = {:.6g} m is below the seabed at {:.6g} m", at.z(), floor));
             }
         }
         for (const auto& [end, key, arc] :
@@ -242,15 +271,17 @@ class LineChecks {
         const auto say = [&](const std::string& message) {
             error(key, fmt::format("\"{}\": {}", c.name, message));
         };
-        const double z = place.z(), floor = bed(place);
+        const Vec3 at = case_.place_of(c, place);
+        const double z = place.z(), floor = bed(at);
         if (z < floor - 1e-9 * std::abs(floor)) {
             return say(fmt::format("z = {:.6g} m is below the seabed at {:.6g} m", z, floor));
         }
-        const auto& platform = case_.platform;
-        if (c.on_platform && platform && platform->draft && z < -*platform->draft - 1.0) {
+        const std::optional<double> draft =
+            c.on_platform && case_.platform ? case_.platform_at(c.platform).draft : std::nullopt;
+        if (draft && z < -*draft - 1.0) {
             warning(key,
                     fmt::format("\"{}\": z = {:.6g} m is below the platform's keel at {:.6g} m",
-                                c.name, z, -*platform->draft));
+                                c.name, z, -*draft));
         }
         const bool judged = c.type == ConstraintType::tensioner ||  // by its stroke
                             c.arc_length.value_or(0.0) > line_.length();
@@ -260,7 +291,7 @@ class LineChecks {
         for (const auto& [end, along] :
              {std::pair{&line_.end_a, arc}, {&line_.end_b, length - arc}}) {
             if (!stands(*end)) continue;
-            const double distance = (place - end->position).norm();
+            const double distance = (at - case_.place_of(*end)).norm();
             const double reach = (std::isnan(along) ? length : along) * (1.0 + stretch() / length);
             if (distance > reach + 0.1) {
                 return say(
@@ -273,10 +304,10 @@ class LineChecks {
 
     /// Where end A is at the design position: where it is held, or above its tensioner's place.
     std::optional<Vec3> top() const {
-        if (line_.end_a.kind != EndKind::free) return line_.end_a.position;
+        if (line_.end_a.kind != EndKind::free) return case_.place_of(line_.end_a);
         for (const LineConstraint& c : line_.constraints)
             if (c.type == ConstraintType::tensioner)
-                return c.position + c.arc_length.value_or(0.0) * c.axis;
+                return case_.place_of(c, c.position) + c.arc_length.value_or(0.0) * c.axis;
         return std::nullopt;
     }
 
@@ -287,9 +318,10 @@ class LineChecks {
         using Type = ConstraintType;
         if (c.type == Type::tensioner || c.type == Type::pull_tube || c.other_line >= 0) return;
         if (line_.end_b.kind == EndKind::free || !top()) return;
-        if (c.position.z() < bed(c.position)) return;  // that has been told
-        const Vec3 a = *top(), b = line_.end_b.position;
-        const double from_a = (a - c.position).dot(c.axis), from_b = (b - c.position).dot(c.axis);
+        const Vec3 at = case_.place_of(c, c.position);
+        if (at.z() < bed(at)) return;  // that has been told
+        const Vec3 a = *top(), b = case_.place_of(line_.end_b);
+        const double from_a = (a - at).dot(c.axis), from_b = (b - at).dot(c.axis);
         const bool slides = c.type == Type::guide || c.type == Type::slider;
         constexpr double touching = 1e-6;
         const bool at_end = slides && std::min(std::abs(from_a), std::abs(from_b)) <= touching;
@@ -353,7 +385,8 @@ class LineChecks {
             stretch += (tension - 0.5 * weight) / EA * s.length;
             tension -= weight;
         }
-        const double distance = (tensioner.position - line_.end_b.position).norm();
+        const double distance =
+            (case_.place_of(tensioner, tensioner.position) - case_.place_of(line_.end_b)).norm();
         const double length = line_.length() - tensioner.arc_length.value_or(0.0);
         const double stroke = distance - length - stretch;
         const std::string spans = fmt::format(
@@ -435,6 +468,10 @@ class LineChecks {
         refuse(!turns_freely(line_.end_a) || !turns_freely(line_.end_b),
                "a catenary hangs between two ball joints", "quasi_static");
         refuse(case_.environment.seabed.slope_angle != 0.0, "a catenary lies on a level bed",
+               "quasi_static");
+        refuse(line_.end_b.kind == EndKind::platform,
+               "a catenary has the stiffness of its end A alone, so its end B cannot be on a "
+               "platform",
                "quasi_static");
     }
 

@@ -22,7 +22,7 @@ int joint_number(const std::string& text) {
 const Table& polar_keys() {
     static const Table table = [] {
         Keys<PolarKeys> k("polar");
-        k.number("radius", &PolarKeys::radius, length, "From the platform's axis")
+        k.number("radius", &PolarKeys::radius, length, "From the axis of that platform")
             .required()
             .at_least(0)
             .eg("20.5 m");
@@ -41,7 +41,8 @@ const Table& anchor_keys() {
     static const Table table = [] {
         Keys<AnchorKeys> k("anchor");
         k.number("radius", &AnchorKeys::radius, length,
-                 "From the platform's axis at its design position")
+                 "From the axis of the platform of end A (else of end B, else of the first "
+                 "constraint on one) at its design position")
             .above(0)
             .eg("2068 m");
         k.number("azimuth", &AnchorKeys::azimuth, angle, "Counter-clockwise from +x, from above")
@@ -104,10 +105,13 @@ const Table& motion_keys() {
 const Table& end_keys() {
     static const Table table = [] {
         Keys<EndKeys> k("end");
-        k.text("platform", &EndKeys::platform, "The end moves with the platform of this name")
+        k.text("platform", &EndKeys::platform,
+               "The end moves with the platform of this name; end B turns freely there")
             .eg("spar");
-        k.vector("position", &EndKeys::position, {length},
-                 "Place on the platform; of a free end A, where it is at the design position")
+        k.vector(
+             "position", &EndKeys::position, {length},
+             "Place on the platform; of a free end A, where it is on the platform that holds it, "
+             "at the design position")
             .eg("[20.5 m, 0 m, -60 m]");
         k.map("polar", &EndKeys::polar, polar_keys, "Place on the platform, by radius and azimuth");
         k.map("anchor", &EndKeys::anchor, anchor_keys, "The end is held on the seabed");
@@ -342,7 +346,9 @@ const Table& line_keys() {
             .at_least(-2 * turn)
             .at_most(2 * turn)
             .eg("60 deg");
-        k.map("end_a", &LineKeys::end_a, end_keys, "The platform end").required();
+        k.map("end_a", &LineKeys::end_a, end_keys,
+              "The platform end; between two platforms, either")
+            .required();
         k.map("end_b", &LineKeys::end_b, end_keys, "The seabed end").required();
         k.list("sections", &LineKeys::sections, section_keys, "Sections from end A").required();
         k.list("attachments", &LineKeys::attachments, attachment_keys,

@@ -195,9 +195,10 @@ struct Line {
     std::vector<Section> sections;  ///< from end A
     std::vector<Attachment> attachments;
     std::vector<LineConstraint> constraints;
-    std::optional<double> time_step = {};        ///< upper bound of this line's rod step [s]
-    double azimuth = 0.0;                        ///< of the pattern, platform towards anchor [rad]
-    std::optional<LineModel> model = {};         ///< instead of analysis.dynamics.line_model
+    std::optional<double> time_step = {};  ///< upper bound of this line's rod step [s]
+    double azimuth = 0.0;                  ///< of the pattern, platform towards anchor [rad]
+    Vec3 radii_from = Vec3::Zero();        ///< axis of its platform as designed: anchor radii [m]
+    std::optional<LineModel> model = {};   ///< instead of analysis.dynamics.line_model
     std::optional<double> sheltered_above = {};  ///< height on the platform above which the water
                                                  ///< moves with it [m]
     double internal_pressure = 0.0;              ///< at end A [Pa], beside the head of the contents

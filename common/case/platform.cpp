@@ -624,80 +624,102 @@ const Table& damping_keys() {
 
 }  // namespace
 
-const Table& platform_keys() {
-    static const Table table = [] {
-        Keys<PlatformKeys> k("platform");
+namespace {
+
+Table table_of_platform(bool named) {
+    Keys<PlatformKeys> k("platform");
+    if (!named)
         k.text("name", &Platform::name, "Name in result paths and in end_a.platform")
             .def("platform")
             .eg("spar");
-        Key& mass_key = k.number(
-            "mass", &Platform::mass, mass,
-            "Mass; auto: (acting buoyancy - static line loads)/g, floats at its design draft");
-        mass_key.or_word("auto")
-            .follows("0 with prescribed_motion, else required")
-            .at_least(0)
-            .eg("auto");
-        mass_key.get = [](const void* object) -> Value {
-            const std::optional<double>& given = static_cast<const PlatformKeys*>(object)->mass;
-            if (given) return *given;
-            return std::string("auto");
-        };
-        k.number("displacement", &Platform::displacement, mass,
-                 "What the displacement is believed to be; compared with the acting buoyancy, "
-                 "never acts")
-            .above(0)
-            .eg("103800 t");
-        k.number("draft", &Platform::draft, length, "Keel below the reference point")
-            .follows("lowest member")
-            .at_least(0)
-            .eg("175 m");
-        k.vector("centre_of_gravity", &Platform::centre_of_gravity, {length},
-                 "Centre of gravity, on platform axes")
-            .follows("the origin; required without prescribed_motion")
-            .eg("[0, 0, -66 m]");
-        k.map("radii_of_gyration", &PlatformKeys::gyration, gyration_keys,
-              "Radii of gyration about the centre of gravity");
-        k.matrix("inertia", &Platform::inertia, 3, std::vector<Dimension>(9, dimension::inertia),
-                 "Moments of inertia about the centre of gravity, 3 rows of 3, instead of radii");
-        k.map("initial", &Platform::initial, initial_keys,
-              "Added to the static position at the start");
-        k.map("hydrodynamics", &Platform::hydrodynamics, hydrodynamics_keys,
-              "Potential-flow loads");
-        k.list("members", &Platform::members, member_keys, "Cylinders with Morison loads");
-        k.list("plates", &PlatformKeys::plate_groups, plate_keys,
-               "Heave plates: drag and added mass along the normal");
-        k.map("wind", &Platform::wind, wind_area_keys, "Wind load of the topsides");
-        k.group("damping", damping_keys, "Damping given by hand");
-        k.group("stiffness", stiffness_keys, "Stiffness given by hand");
-        k.list("forces", &Platform::forces, force_keys,
-               "Forces given by hand, constant or in time");
-        k.map("current_coefficients", &Platform::current_coefficients, current_coefficient_keys,
-              "Load of the current on the whole hull by heading (OCIMF's form), instead of that on "
-              "members");
-        Key& fixed = k.custom(
-            "fixed_modes", Form::words, {},
-            "Motions that are held where `initial` puts them; the force that holds them is "
-            "recorded",
-            [](PlatformKeys& p, const Value& v) {
-                p.fixed.fill(false);
-                for (const std::string& word : std::get<std::vector<std::string>>(v))
-                    for (std::size_t i = 0; i < 6; ++i)
-                        if (word == mode_words[i]) p.fixed[i] = true;
-            },
-            [](const PlatformKeys& p) -> Value {
-                std::vector<std::string> words;
+    Key& place = k.custom(
+        "position", Form::numbers, {length},
+        "x and y of the reference point where the platform is designed to be; its surge and "
+        "sway are displacements from there",
+        [](PlatformKeys& p, const Value& v) {
+            const auto& xy = std::get<std::vector<double>>(v);
+            p.position = {xy[0], xy[1], 0.0};
+        },
+        [](const PlatformKeys& p) -> Value {
+            return std::vector<double>{p.position.x(), p.position.y()};
+        });
+    place.fewest = place.most = 2;
+    place.def("[0 m, 0 m]");
+    Key& mass_key =
+        k.number("mass", &Platform::mass, mass,
+                 "Mass; auto: (acting buoyancy - static line loads)/g, floats at its design draft");
+    mass_key.or_word("auto")
+        .follows("0 with prescribed_motion, else required")
+        .at_least(0)
+        .eg("auto");
+    mass_key.get = [](const void* object) -> Value {
+        const std::optional<double>& given = static_cast<const PlatformKeys*>(object)->mass;
+        if (given) return *given;
+        return std::string("auto");
+    };
+    k.number("displacement", &Platform::displacement, mass,
+             "What the displacement is believed to be; compared with the acting buoyancy, "
+             "never acts")
+        .above(0)
+        .eg("103800 t");
+    k.number("draft", &Platform::draft, length, "Keel below the reference point")
+        .follows("lowest member")
+        .at_least(0)
+        .eg("175 m");
+    k.vector("centre_of_gravity", &Platform::centre_of_gravity, {length},
+             "Centre of gravity, on platform axes")
+        .follows("the origin; required without prescribed_motion")
+        .eg("[0, 0, -66 m]");
+    k.map("radii_of_gyration", &PlatformKeys::gyration, gyration_keys,
+          "Radii of gyration about the centre of gravity");
+    k.matrix("inertia", &Platform::inertia, 3, std::vector<Dimension>(9, dimension::inertia),
+             "Moments of inertia about the centre of gravity, 3 rows of 3, instead of radii");
+    k.map("initial", &Platform::initial, initial_keys, "Added to the static position at the start");
+    k.map("hydrodynamics", &Platform::hydrodynamics, hydrodynamics_keys, "Potential-flow loads");
+    k.list("members", &Platform::members, member_keys, "Cylinders with Morison loads");
+    k.list("plates", &PlatformKeys::plate_groups, plate_keys,
+           "Heave plates: drag and added mass along the normal");
+    k.map("wind", &Platform::wind, wind_area_keys, "Wind load of the topsides");
+    k.group("damping", damping_keys, "Damping given by hand");
+    k.group("stiffness", stiffness_keys, "Stiffness given by hand");
+    k.list("forces", &Platform::forces, force_keys, "Forces given by hand, constant or in time");
+    k.map("current_coefficients", &Platform::current_coefficients, current_coefficient_keys,
+          "Load of the current on the whole hull by heading (OCIMF's form), instead of that on "
+          "members");
+    Key& fixed = k.custom(
+        "fixed_modes", Form::words, {},
+        "Motions that are held where `initial` puts them; the force that holds them is "
+        "recorded",
+        [](PlatformKeys& p, const Value& v) {
+            p.fixed.fill(false);
+            for (const std::string& word : std::get<std::vector<std::string>>(v))
                 for (std::size_t i = 0; i < 6; ++i)
-                    if (p.fixed[i]) words.emplace_back(mode_words[i]);
-                if (words.empty()) return {};
-                return words;
-            });
-        fixed.choices.assign(mode_words.begin(), mode_words.end());
-        fixed.eg("[heave, roll, pitch]");
-        k.map("prescribed_motion", &Platform::prescribed, prescribed_keys,
-              "The platform goes as told, for studies of lines alone; motions left out are held");
-        k.rule(KeyRule::Count::at_most_one, {"radii_of_gyration", "inertia"});
-        return k.done();
-    }();
+                    if (word == mode_words[i]) p.fixed[i] = true;
+        },
+        [](const PlatformKeys& p) -> Value {
+            std::vector<std::string> words;
+            for (std::size_t i = 0; i < 6; ++i)
+                if (p.fixed[i]) words.emplace_back(mode_words[i]);
+            if (words.empty()) return {};
+            return words;
+        });
+    fixed.choices.assign(mode_words.begin(), mode_words.end());
+    fixed.eg("[heave, roll, pitch]");
+    k.map("prescribed_motion", &Platform::prescribed, prescribed_keys,
+          "The platform goes as told, for studies of lines alone; motions left out are held");
+    k.rule(KeyRule::Count::at_most_one, {"radii_of_gyration", "inertia"});
+    return k.done();
+}
+
+}  // namespace
+
+const Table& platform_keys() {
+    static const Table table = table_of_platform(false);
+    return table;
+}
+
+const Table& named_platform_keys() {
+    static const Table table = table_of_platform(true);
     return table;
 }
 

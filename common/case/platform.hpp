@@ -172,6 +172,7 @@ struct Platform {
     Vec3 radii_of_gyration = Vec3::Zero();  ///< about the centre of gravity [m]
     std::optional<Mat3> inertia;            ///< about the centre of gravity [kg.m2], instead
     Vec3 position = Vec3::Zero();           ///< of O as designed, on world axes, z = 0 [m]
+    std::string key_path = "platform";      ///< of its keys in the case file, for messages
     PlatformMotion initial;                 ///< added to the static position
     Hydrodynamics hydrodynamics;
     std::vector<Member> members;

@@ -232,15 +232,14 @@ bool starts_with_format(const std::string& text) {
 }
 
 /// Are the files of a database there? What is in them is another question.
-void hydro_files(const Case& value, Problems& problems) {
-    if (!value.platform || !value.platform->hydrodynamics.database) return;
-    const Hydrodynamics& hydro = value.platform->hydrodynamics;
+void hydro_files(const Case& value, const Platform& p, Problems& problems) {
+    if (!p.hydrodynamics.database) return;
+    const Hydrodynamics& hydro = p.hydrodynamics;
     const HydroDatabase& database = *hydro.database;
     const std::string& stem = database.path;
     if (stem.empty()) return;
     const auto missing = [&](const char* key, const std::string& message) {
-        problems.push_back(
-            {Severity::error, std::string("platform.hydrodynamics") + key, message, {}});
+        problems.push_back({Severity::error, p.key_path + ".hydrodynamics" + key, message, {}});
     };
     const bool by_stem =
         database.format == HydroFormat::wamit || database.format == HydroFormat::hams;
@@ -316,10 +315,12 @@ CaseFile finish(Node root, const std::string& name, const std::string& file, con
     CaseFile result;
     result.value = build(declared, name, folder, problems);
     check(result.value, declared, problems);
-    if (result.value.platform)
-        read_histories(*result.value.platform, result.value.analysis.dynamics.duration, problems);
+    const double duration = result.value.analysis.dynamics.duration;
+    if (result.value.platform) read_histories(*result.value.platform, duration, problems);
+    for (Platform& p : result.value.further_platforms) read_histories(p, duration, problems);
     if (!file.empty()) {
-        hydro_files(result.value, problems);
+        for (int k = 0; k < result.value.platform_count(); ++k)
+            hydro_files(result.value, result.value.platform_at(k), problems);
         unused(declared, reader.places(), file, problems);
     }
     result.file = file;

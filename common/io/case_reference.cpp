@@ -153,12 +153,25 @@ class Reference {
         } else if (key.form == Form::list) {
             inner = item(this->table(key.table(), indent + 4, off),
                          static_cast<std::size_t>(indent) + 2);
+        } else if (const Key* same = shown_before(table, key)) {
+            inner =
+                fmt::format("{:{}}## every key of \"{}\" above but its name\n{:{}}# name: {{}}\n",
+                            "", indent + 2, same->name, "", indent + 2);
         } else {
             inner = fmt::format("{:{}}{}{}:\n", "", indent + 2, off ? "# " : "", "name") +
                     this->table(key.table(), indent + 4, off);
         }
         const bool empty = !off && key.form == Form::map && all_comments(inner);
         return text + fmt::format("{}{}{}:\n", start, empty ? "# " : "", key.name) + inner;
+    }
+
+    /// A key before this one that holds a thing of the same kind.
+    static const Key* shown_before(const Table& table, const Key& key) {
+        for (const Key& other : table.keys) {
+            if (&other == &key) break;
+            if (other.table != nullptr && other.table().name == key.table().name) return &other;
+        }
+        return nullptr;
     }
 
     static bool all_comments(const std::string& text) {

@@ -77,19 +77,20 @@ int check_statics(const CommandLine& line, CaseFile& file, const SolveStatics& s
 
 }  // namespace
 
-CaseFile read_and_check(const std::filesystem::path& path, const Overrides& overrides) {
-    CaseFile file = read_case(path, overrides);
-    const std::optional<Platform>& platform = file.value.platform;
-    if (!platform || !platform->hydrodynamics.database) return file;
-    const HydroDatabase& database = *platform->hydrodynamics.database;
-    Problems found;
-    std::vector<std::string> notes;
+namespace {
+
+/// What the files of a platform's database say against the case.
+void check_database(const Case& input, const Platform& platform, Problems& found,
+                    std::vector<std::string>& notes) {
+    if (!platform.hydrodynamics.database) return;
+    const HydroDatabase& database = *platform.hydrodynamics.database;
     try {
-        const HydroData data = read_hydro(database, file.value.environment);
-        notes = data.notes;
+        const HydroData data = read_hydro(database, input.environment);
+        for (const std::string& note : data.notes)
+            if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
         if (!database.displaced_volume)
-            check_displacement(file.value, *platform, data.displaced_volume, found);
-        check_coverage(file.value, *platform, data, found);
+            check_displacement(input, platform, data.displaced_volume, found);
+        check_coverage(input, platform, data, found);
     } catch (const HydroFileError& error) {
         for (const FileProblem& p : error.problems()) {
             Problem problem{Severity::error, "", p.message, p.file};
@@ -98,6 +99,17 @@ CaseFile read_and_check(const std::filesystem::path& path, const Overrides& over
             found.push_back(std::move(problem));
         }
     }
+}
+
+}  // namespace
+
+CaseFile read_and_check(const std::filesystem::path& path, const Overrides& overrides) {
+    CaseFile file = read_case(path, overrides);
+    Problems found;
+    std::vector<std::string> notes;
+    for (int k = 0; k < file.value.platform_count(); ++k)
+        check_database(file.value, file.value.platform_at(k), found, notes);
+    if (found.empty() && notes.empty()) return file;
     locate(found, file);
     for (const std::string& note : notes) found.push_back({Severity::note, "", note, {}});
     for (Problem& p : found) {

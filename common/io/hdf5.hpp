@@ -134,6 +134,8 @@ class Hdf5File {
     void attribute(const std::string& path, const std::string& name, const std::string& value);
     void attribute(const std::string& path, const std::string& name, std::int64_t value);
     void attribute(const std::string& path, const std::string& name, bool value);
+    void attribute(const std::string& path, const std::string& name,
+                   std::span<const double> values);
     [[nodiscard]] std::string text_attribute(const std::string& path,
                                              const std::string& name) const;
 

@@ -212,6 +212,19 @@ void Hdf5File::attribute(const std::string& path, const std::string& name, bool 
     write_attribute(object.id(), name, type.id(), &stored, where);
 }
 
+void Hdf5File::attribute(const std::string& path, const std::string& name,
+                         std::span<const double> values) {
+    const std::string where = place(path);
+    const Hdf5Handle object(checked(H5Oopen(id_.id(), path.c_str(), H5P_DEFAULT), "H5Oopen", where),
+                            close_object);
+    const Hdf5Handle space = space_of({values.size()}, where);
+    const Hdf5Handle attribute(checked(H5Acreate2(object.id(), name.c_str(), H5T_NATIVE_DOUBLE,
+                                                  space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                                       "H5Acreate2", where),
+                               close_attribute);
+    checked(H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, values.data()), "H5Awrite", where);
+}
+
 std::string Hdf5File::text_attribute(const std::string& path, const std::string& name) const {
     const std::string where = place(path);
     const Hdf5Handle attribute(

@@ -73,11 +73,12 @@ void read_histories(Platform& platform, double duration, Problems& problems) {
     for (std::size_t i = 0; i < platform.forces.size(); ++i) {
         AppliedForce& f = platform.forces[i];
         if (!f.path.empty())
-            f.rows = read_six_series(f.path, fmt::format("platform.forces[{}].file", i), problems);
+            f.rows = read_six_series(
+                f.path, fmt::format("{}.forces[{}].file", platform.key_path, i), problems);
     }
     if (!platform.prescribed || platform.prescribed->path.empty()) return;
     PrescribedMotion& motion = *platform.prescribed;
-    const std::string key = "platform.prescribed_motion.file";
+    const std::string key = platform.key_path + ".prescribed_motion.file";
     motion.rows = read_six_series(motion.path, key, problems);
     if (motion.rows.size() < 2) return;
     for (auto& row : motion.rows)

@@ -32,11 +32,11 @@ std::string why_none(const RodMode& mode) {
     return mode.omega_squared < -RodMode::nothing ? "unstable" : "not held";
 }
 
-/// The six parts with rotations in degrees per metre or per degree of the main motion.
-std::array<double, 6> parts(const CoupledMode& mode) {
+/// Six parts with rotations in degrees per metre or per degree of the main motion.
+std::array<double, 6> parts(const CoupledMode& mode, const Vec6& shape) {
     std::array<double, 6> out{};
     for (std::size_t i = 0; i < 6; ++i) {
-        const double size = mode.shape[static_cast<Eigen::Index>(i)];
+        const double size = shape[static_cast<Eigen::Index>(i)];
         const double degrees = 180.0 / M_PI;
         const bool turns = mode.motion >= 3;
         out[i] = i < 3 ? (turns ? size / degrees : size) : (turns ? size : size * degrees);
@@ -45,22 +45,37 @@ std::array<double, 6> parts(const CoupledMode& mode) {
 }
 
 std::string coupled_text(const ModesReport& report) {
-    std::string out = title("Platform " + report.platform + " with its lines");
+    const bool several = report.platforms.size() > 1;
+    std::string names;
+    for (const std::string& name : report.platforms) names += (names.empty() ? "" : ", ") + name;
+    std::string out = title(several ? "Platforms " + names + " with their lines"
+                                    : "Platform " + names + " with its lines");
     TextTable table;
+    if (several) table.column("of");
     table.column("mode");
     table.column("period", "s");
     table.column("share", "%");
     for (std::size_t i = 0; i < 6; ++i) table.column(motion_names[i], i < 3 ? "m" : "deg");
     table.column("stiffness", "% lines");
     table.column("inertia", "% lines");
-    for (const CoupledMode& mode : *report.coupled) {
-        std::vector<std::string> cells{name_of(mode),
-                                       mode.period() ? number(*mode.period(), 2) : why_none(mode),
-                                       number(100.0 * mode.share, 1)};
-        for (const double part : parts(mode)) cells.push_back(number(part, 3));
+    for (const CoupledMode& mode : report.coupled) {
+        std::vector<std::string> cells;
+        if (several) cells.push_back(report.platforms.at(static_cast<std::size_t>(mode.platform)));
+        const std::vector<std::string> values{
+            name_of(mode), mode.period() ? number(*mode.period(), 2) : why_none(mode),
+            number(100.0 * mode.share, 1)};
+        cells.insert(cells.end(), values.begin(), values.end());
+        for (const double part : parts(mode, mode.shape)) cells.push_back(number(part, 3));
         cells.push_back(number(100.0 * mode.line_stiffness, 1));
         cells.push_back(number(100.0 * mode.line_inertia, 2));
         table.row(cells);
+        for (std::size_t k = 0; several && k < mode.all.size(); ++k) {  // the others' part
+            if (static_cast<int>(k) == mode.platform) continue;
+            std::vector<std::string> other{"", "  with " + report.platforms.at(k), "", ""};
+            for (const double part : parts(mode, mode.all[k])) other.push_back(number(part, 3));
+            other.insert(other.end(), 2, "");
+            table.row(other);
+        }
     }
     return out + table.text() +
            "undamped, about the equilibrium. share: part of the platform's kinetic energy that is "
@@ -99,7 +114,7 @@ std::string line_text(const Case& input, const LineModes& line) {
 std::string modes_text(const Case& input, const ModesReport& report) {
     std::string out =
         fmt::format("{}: natural modes\n", input.title.empty() ? input.name : input.title);
-    if (report.coupled) out += coupled_text(report);
+    if (!report.coupled.empty()) out += coupled_text(report);
     for (const LineModes& line : report.lines) out += line_text(input, line);
     if (!report.lines.empty())
         out +=
@@ -113,17 +128,28 @@ std::string modes_text(const Case& input, const ModesReport& report) {
 std::string modes_json(const Case& input, const ModesReport& report) {
     Json out = Json::object();
     out.put("case", input.name).put("units", "SI");
-    if (report.coupled) {
+    if (!report.coupled.empty()) {
         Json modes = Json::array();
-        for (const CoupledMode& mode : *report.coupled) {
-            Json one = Json::object(), shape = Json::object();
+        const bool several = report.platforms.size() > 1;
+        const auto six = [](const Vec6& v) {
+            Json shape = Json::object();
+            for (std::size_t i = 0; i < 6; ++i)
+                shape.put(motion_names[i], v[static_cast<Eigen::Index>(i)]);
+            return shape;
+        };
+        for (const CoupledMode& mode : report.coupled) {
+            Json one = Json::object(), shape = six(mode.shape);
             one.put("name", name_of(mode));
+            if (several) {
+                one.put("platform", report.platforms.at(static_cast<std::size_t>(mode.platform)));
+                shape = Json::object();
+                for (std::size_t k = 0; k < mode.all.size(); ++k)
+                    shape.put(report.platforms.at(k), six(mode.all[k]));
+            }
             if (mode.period())
                 one.put("period", *mode.period());
             else
                 one.put("without_period", why_none(mode));
-            for (std::size_t i = 0; i < 6; ++i)
-                shape.put(motion_names[i], mode.shape[static_cast<Eigen::Index>(i)]);
             one.put("shape", std::move(shape))
                 .put("share", mode.share)
                 .put("line_stiffness", mode.line_stiffness)
@@ -131,7 +157,14 @@ std::string modes_json(const Case& input, const ModesReport& report) {
                 .put("converged", mode.converged);
             modes.add(std::move(one));
         }
-        out.put("platform", report.platform).put("coupled", std::move(modes));
+        if (several) {
+            Json names = Json::array();
+            for (const std::string& name : report.platforms) names.add(name);
+            out.put("platforms", std::move(names));
+        } else {
+            out.put("platform", report.platforms.front());
+        }
+        out.put("coupled", std::move(modes));
     }
     Json lines = Json::array();
     const auto point = [](const Vec3& x) {
@@ -175,10 +208,10 @@ std::string modes_json(const Case& input, const ModesReport& report) {
 
 std::string modes_csv(const Case& input, const ModesReport& report) {
     std::string out = "of,mode,period [s],kind,axial,in_plane,out_of_plane\n";
-    if (report.coupled)
-        for (const CoupledMode& mode : *report.coupled)
-            out += fmt::format("{},{},{},coupled,,,\n", report.platform, name_of(mode),
-                               mode.period() ? fmt::format("{}", *mode.period()) : "");
+    for (const CoupledMode& mode : report.coupled)
+        out += fmt::format("{},{},{},coupled,,,\n",
+                           report.platforms.at(static_cast<std::size_t>(mode.platform)),
+                           name_of(mode), mode.period() ? fmt::format("{}", *mode.period()) : "");
     for (const LineModes& line : report.lines) {
         int n = 0;
         for (const RodMode& mode : line.modes)

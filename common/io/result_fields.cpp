@@ -39,19 +39,23 @@ bool has_load(const Platform& p, std::string_view name) {
     return true;
 }
 
-std::string platform_path(const Case& input) {
-    return "/platform/" + (input.platform ? input.platform->name : std::string("platform")) + "/";
-}
+std::string platform_path(const Platform& platform) { return "/platform/" + platform.name + "/"; }
 
 std::vector<SeriesField> result_fields(const Case& input, const std::vector<int>& nodes) {
     std::vector<SeriesField> fields;
     const Output& output = input.output;
-    if (input.platform && output.platform_motions) {
-        const std::string root = platform_path(input);
+    const int platforms = input.platform_count();
+    for (int k = 0; k < platforms && output.platform_motions; ++k) {
+        const Platform& p = input.platform_at(k);
+        const std::string root = platform_path(p);
+        const bool moved = p.position != Vec3::Zero();
         const std::string six = "surge, sway, heave, roll, pitch, yaw";
         fields.push_back({root + "position",
                           "m, m, m, deg, deg, deg",
-                          "Position of the reference point and Euler angles: " + six,
+                          (moved ? "Displacement of the reference point from where it is designed "
+                                   "to be, and Euler angles: "
+                                 : "Position of the reference point and Euler angles: ") +
+                              six,
                           {6}});
         fields.push_back({root + "velocity",
                           "m/s, m/s, m/s, deg/s, deg/s, deg/s",
@@ -62,10 +66,11 @@ std::vector<SeriesField> result_fields(const Case& input, const std::vector<int>
                           "Second derivatives of the position and of the Euler angles: " + six,
                           {6}});
     }
-    if (input.platform && output.platform_loads) {
+    for (int k = 0; k < platforms && output.platform_loads; ++k) {
+        const Platform& p = input.platform_at(k);
         for (const std::string_view name : load_names) {
-            if (!has_load(*input.platform, name)) continue;
-            fields.push_back({platform_path(input) + "loads/" + std::string(name),
+            if (!has_load(p, name)) continue;
+            fields.push_back({platform_path(p) + "loads/" + std::string(name),
                               "N, N, N, N.m, N.m, N.m",
                               load_description(name),
                               {6}});
@@ -83,7 +88,9 @@ std::vector<SeriesField> result_fields(const Case& input, const std::vector<int>
     if (output.environment && input.environment.wind) {
         fields.push_back({"/environment/wind_speed",
                           "m/s",
-                          "Wind speed at the height of the platform's wind area",
+                          platforms > 1
+                              ? "Wind speed at the height of the first platform's wind area"
+                              : "Wind speed at the height of the platform's wind area",
                           {}});
     }
     add_line_fields(input, nodes, fields);

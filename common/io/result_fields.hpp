@@ -22,10 +22,11 @@ inline constexpr std::array<std::string_view, 16> load_names{
 /// Does the platform have this load? Those given by hand are recorded where the case has them.
 bool has_load(const Platform& platform, std::string_view name);
 
-/// /platform/<name>/ with the name of the case's platform.
-std::string platform_path(const Case& input);
+/// /platform/<name>/
+std::string platform_path(const Platform& platform);
 
-/// All fields of the case, in a fixed order. @param nodes of each line, in line order
+/// All fields of the case, in a fixed order: motions of each platform, loads on each, environment,
+/// lines. @param nodes of each line, in line order
 std::vector<SeriesField> result_fields(const Case& input, const std::vector<int>& nodes);
 
 }  // namespace hawser::io

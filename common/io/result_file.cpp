@@ -48,8 +48,11 @@ ResultDigest write_result(const fs::path& folder, const RunRecord& record) {
         write_line_views(file, input, fields);
     }
     if (record.statics) write_statics(file, input, *record.statics);
-    write_platform_facts(file, input, record.platform);
-    if (record.ledger) write_ledger(file, input, *record.ledger);
+    for (std::size_t k = 0; k < record.platforms.size(); ++k)
+        write_platform_facts(file, input.platform_at(static_cast<int>(k)), record.platforms[k]);
+    for (std::size_t k = 0; k < record.ledgers.size(); ++k)
+        write_ledger(file, input.platform_at(static_cast<int>(k)), record.ledgers[k]);
+    write_design_position(file, input);
     for (const Fact& fact : record.performance) {
         write_numbers(file, "/performance/" + fact.name, {&fact.value, 1}, {}, fact.units,
                       fact.description);

@@ -20,8 +20,8 @@ namespace hawser::io {
 
 /// The common equilibrium from which the run started.
 struct StaticState {
-    std::optional<PlatformMotion> platform;
-    std::vector<double> end_a_tension;  ///< effective, per line [N]; may be empty
+    std::vector<PlatformMotion> platforms;  ///< in the order of the case, on world axes
+    std::vector<double> end_a_tension;      ///< effective, per line [N]; may be empty
 };
 
 /// A number worth keeping, for people and for /performance.
@@ -49,10 +49,11 @@ struct RunRecord {
     std::string outcome;    ///< one line for people: "done", or what went wrong
     std::optional<StaticState> statics;
     std::vector<Adjustment> adjustments;    ///< that statics made to `input`
-    std::optional<LedgerTable> ledger;      ///< of the platform
+    std::vector<LedgerTable> ledgers;       ///< of each platform; empty: not kept
     std::vector<ImpulseMismatch> impulses;  ///< of each line with constraints, the largest
-    std::vector<Fact> platform;             ///< mass, acting buoyancy, GM, periods; for the summary
-    std::vector<Fact> performance;          ///< `name` as in /performance/<name>; times in s
+    /// Of each platform mass, acting buoyancy, GM, periods; empty: the run did not get so far
+    std::vector<std::vector<Fact>> platforms;
+    std::vector<Fact> performance;  ///< `name` as in /performance/<name>; times in s
 };
 
 /// Statistics of one recorded channel.

@@ -12,24 +12,15 @@
 namespace hawser::io {
 namespace {
 
-/// Where hull and seabed are, for pictures.
-void write_geometry(Hdf5File& file, const Case& input) {
-    const std::string root = "/input/geometry/";
-    write_numbers(file, root + "seabed_depth", {&input.environment.seabed.depth, 1}, {}, "m",
-                  "Still-water depth at the origin");
-    const double slope = input.environment.seabed.slope_angle * 180.0 / M_PI;
-    const double towards = input.environment.seabed.slope_direction * 180.0 / M_PI;
-    write_numbers(file, root + "seabed_slope", {&slope, 1}, {}, "deg", "Slope of the seabed");
-    write_numbers(file, root + "seabed_rises_towards", {&towards, 1}, {}, "deg",
-                  "Heading in which the seabed rises");
-    if (!input.platform) return;
+/// Members and plates of one hull, under `root`.
+void write_hull(Hdf5File& file, const Platform& platform, const std::string& root) {
     std::vector<double> ends, diameters, plates, areas;
-    for (const Member& m : input.platform->members) {
+    for (const Member& m : platform.members) {
         ends.insert(ends.end(), m.from.data(), m.from.data() + 3);
         ends.insert(ends.end(), m.to.data(), m.to.data() + 3);
         diameters.push_back(m.diameter);
     }
-    for (const Plate& p : input.platform->plates) {
+    for (const Plate& p : platform.plates) {
         plates.insert(plates.end(), p.position.data(), p.position.data() + 3);
         areas.push_back(p.area);
     }
@@ -41,6 +32,22 @@ void write_geometry(Hdf5File& file, const Case& input) {
                   "Centres of the heave plates, platform axes");
     write_numbers(file, root + "plate_area", areas, {areas.size()}, "m2",
                   "Areas of the heave plates");
+}
+
+/// Where hull and seabed are, for pictures.
+void write_geometry(Hdf5File& file, const Case& input) {
+    const std::string root = "/input/geometry/";
+    write_numbers(file, root + "seabed_depth", {&input.environment.seabed.depth, 1}, {}, "m",
+                  "Still-water depth at the origin");
+    const double slope = input.environment.seabed.slope_angle * 180.0 / M_PI;
+    const double towards = input.environment.seabed.slope_direction * 180.0 / M_PI;
+    write_numbers(file, root + "seabed_slope", {&slope, 1}, {}, "deg", "Slope of the seabed");
+    write_numbers(file, root + "seabed_rises_towards", {&towards, 1}, {}, "deg",
+                  "Heading in which the seabed rises");
+    for (int k = 0; k < input.platform_count(); ++k) {
+        const Platform& p = input.platform_at(k);
+        write_hull(file, p, input.platform_count() > 1 ? root + p.name + "/" : root);
+    }
 }
 
 }  // namespace

@@ -44,9 +44,11 @@ std::vector<LineStart> line_starts(const Hdf5File& file, const RunRecord& record
 
 void write_statics(Hdf5File& file, const Case& input, const StaticState& statics);
 /// Mass, buoyancy, GM, natural periods ... as /statics/platform/<name>/<fact>.
-void write_platform_facts(Hdf5File& file, const Case& input, const std::vector<Fact>& facts);
+void write_platform_facts(Hdf5File& file, const Platform& platform, const std::vector<Fact>& facts);
 void write_statistics(Hdf5File& file, const std::vector<ChannelStatistics>& rows, double from);
-void write_ledger(Hdf5File& file, const Case& input, const LedgerTable& ledger);
+void write_ledger(Hdf5File& file, const Platform& platform, const LedgerTable& ledger);
+/// Where a platform is designed to be, unless that is the origin of a single one.
+void write_design_position(Hdf5File& file, const Case& input);
 
 // result_input.cpp: what went in
 

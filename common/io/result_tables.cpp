@@ -23,8 +23,9 @@ std::vector<ChannelStatistics> result_statistics(const Hdf5File& result, const C
         const std::vector<double> x = result.dataset(path).read_column(column);
         rows.push_back({channel, units, statistics_of(time, x, from)});
     };
-    const std::string root = platform_path(input);
-    if (result.exists(root + "position")) {
+    for (int p = 0; p < input.platform_count(); ++p) {
+        const std::string root = platform_path(input.platform_at(p));
+        if (!result.exists(root + "position")) continue;
         const std::array<const char*, 6> motions{"surge", "sway", "heave", "roll", "pitch", "yaw"};
         for (std::size_t k = 0; k < 6; ++k) {
             add(root.substr(1) + motions[k], k < 3 ? "m" : "deg", root + "position", k);
@@ -46,10 +47,12 @@ std::vector<ChannelStatistics> result_statistics(const Hdf5File& result, const C
 }
 
 void write_statics(Hdf5File& file, const Case& input, const StaticState& statics) {
-    if (statics.platform && input.platform) {
-        const Vec3 x = statics.platform->position, q = degrees * statics.platform->angles;
+    for (std::size_t k = 0; k < statics.platforms.size(); ++k) {
+        const Platform& p = input.platform_at(static_cast<int>(k));
+        const PlatformMotion& found = statics.platforms[k];
+        const Vec3 x = found.position - p.position, q = degrees * found.angles;
         const std::array<double, 6> six{x[0], x[1], x[2], q[0], q[1], q[2]};
-        write_numbers(file, "/statics" + platform_path(input) + "position", six, {6},
+        write_numbers(file, "/statics" + platform_path(p) + "position", six, {6},
                       "m, m, m, deg, deg, deg",
                       "Equilibrium under the mean loads: surge, sway, heave, roll, pitch, yaw");
     }
@@ -60,9 +63,20 @@ void write_statics(Hdf5File& file, const Case& input, const StaticState& statics
     }
 }
 
-void write_platform_facts(Hdf5File& file, const Case& input, const std::vector<Fact>& facts) {
+void write_design_position(Hdf5File& file, const Case& input) {
+    for (int k = 0; k < input.platform_count(); ++k) {
+        const Platform& p = input.platform_at(k);
+        const std::string group = "/platform/" + p.name;
+        if (!file.exists(group) || (input.platform_count() == 1 && p.position == Vec3::Zero()))
+            continue;
+        file.attribute(group, "design_position", std::span(p.position.data(), 3));
+    }
+}
+
+void write_platform_facts(Hdf5File& file, const Platform& platform,
+                          const std::vector<Fact>& facts) {
     for (const Fact& fact : facts)
-        write_numbers(file, "/statics" + platform_path(input) + fact.name, {&fact.value, 1}, {},
+        write_numbers(file, "/statics" + platform_path(platform) + fact.name, {&fact.value, 1}, {},
                       fact.units, fact.description);
 }
 
@@ -98,9 +112,8 @@ void write_statistics(Hdf5File& file, const std::vector<ChannelStatistics>& rows
     write_numbers(file, "/statistics/from", {&from, 1}, {}, "s", "Start of the statistics");
 }
 
-void write_ledger(Hdf5File& file, const Case& input, const LedgerTable& ledger) {
-    const std::string root =
-        "/ledger/" + (input.platform ? input.platform->name : std::string("platform")) + "/";
+void write_ledger(Hdf5File& file, const Platform& platform, const LedgerTable& ledger) {
+    const std::string root = "/ledger/" + platform.name + "/";
     const std::string units = "N, N, N, N.m, N.m, N.m";
     const std::string span =
         fmt::format(" from {} to {} s, about O, world axes", ledger.from, ledger.to);

@@ -30,12 +30,12 @@ Json matrix(const Mat6& K) {
     return rows;
 }
 
-Json platform_json(const PlatformAtRest& p) {
+Json platform_json(const PlatformAtRest& p, const Vec3& design) {
     Json position = Json::object(), periods = Json::object();
     for (std::size_t i = 0; i < 6; ++i) {
         const auto k = static_cast<int>(i % 3);
         position.put(motion_names[i],
-                     i < 3 ? p.position.position[k] : degrees * p.position.angles[k]);
+                     i < 3 ? p.position.position[k] - design[k] : degrees * p.position.angles[k]);
         if (p.periods[i]) periods.put(motion_names[i], *p.periods[i]);
     }
     const Stability& s = p.stability;
@@ -147,7 +147,15 @@ Json curve_json(const Case& input, const OffsetCurve& curve) {
 Json statics_json(const Case& input, const StaticsReport& report) {
     Json out = Json::object();
     out.put("case", input.name).put("units", "SI, angles in degrees");
-    if (report.platform) out.put("platform", platform_json(*report.platform));
+    const auto platform = [&](std::size_t k) {
+        return platform_json(report.platforms[k], input.platform_at(static_cast<int>(k)).position);
+    };
+    if (report.platforms.size() == 1) out.put("platform", platform(0));
+    if (report.platforms.size() > 1) {
+        Json all = Json::array();
+        for (std::size_t k = 0; k < report.platforms.size(); ++k) all.add(platform(k));
+        out.put("platforms", std::move(all));
+    }
     Json lines = Json::array();
     for (std::size_t i = 0; i < input.lines.size(); ++i)
         lines.add(line_json(input, input.lines[i], report.lines[i]));

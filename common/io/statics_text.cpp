@@ -50,13 +50,14 @@ std::string environment_text(const Environment& e) {
     return out;
 }
 
-std::string platform_text(const Case& input, const PlatformAtRest& p) {
+/// @param its  the platform as the case has it
+std::string platform_text(const Case& input, const Platform& its, const PlatformAtRest& p) {
     std::string out = title("Platform " + p.name);
     out += fact(p.mass_is_auto ? "mass (auto: floats at its design draft)" : "mass",
                 number(p.mass / 1e3, 0) + " t");
     out += fact("acting buoyancy", number(p.acting_buoyancy / 1e3, 0) + " kN");
-    if (input.platform->displacement)
-        out += fact("displacement as given", number(*input.platform->displacement / 1e3, 0) + " t");
+    if (its.displacement)
+        out += fact("displacement as given", number(*its.displacement / 1e3, 0) + " t");
     if (!input.lines.empty())
         out += fact("vertical line load, design position in still water",
                     number(p.vertical_line_load / 1e3, 0) + " kN");
@@ -85,7 +86,10 @@ std::string platform_text(const Case& input, const PlatformAtRest& p) {
     if (loose) out += fact("stability and natural periods", "guides with a gap count as closed");
     if (p.added_mass_frequency > 0.0)
         out += fact("added mass taken at", number(p.added_mass_frequency, 4) + " rad/s");
-    const Vec3 x = p.position.position, q = degrees * p.position.angles;
+    const Vec3 x = p.position.position - its.position, q = degrees * p.position.angles;
+    if (its.position != Vec3::Zero())
+        out += fact("designed to be at x, y",
+                    number(its.position.x(), 1) + ", " + number(its.position.y(), 1) + " m");
     out += fact("rests at surge, sway, heave",
                 number(x[0], 3) + ", " + number(x[1], 3) + ", " + number(x[2], 3) + " m");
     out += fact("         roll, pitch, yaw",
@@ -307,11 +311,14 @@ std::string heading(const Case& input) {
 
 std::string statics_text(const Case& input, const StaticsReport& report) {
     std::string out = heading(input);
-    if (report.platform) {
-        const PlatformAtRest& p = *report.platform;
-        out += platform_text(input, p);
-        out += stiffness_text("Stiffness of platform and lines", p.stiffness);
-        if (!input.lines.empty()) out += stiffness_text("Stiffness of the lines", p.line_stiffness);
+    const bool several = report.platforms.size() > 1;
+    for (std::size_t k = 0; k < report.platforms.size(); ++k) {
+        const PlatformAtRest& p = report.platforms[k];
+        const std::string of = several ? " on " + p.name + ", the others held" : "";
+        out += platform_text(input, input.platform_at(static_cast<int>(k)), p);
+        out += stiffness_text("Stiffness of platform and lines" + of, p.stiffness);
+        if (!input.lines.empty())
+            out += stiffness_text("Stiffness of the lines" + of, p.line_stiffness);
     }
     out += lines_text(input, report, false);
     out += stress_text(input, report);
@@ -322,7 +329,8 @@ std::string statics_text(const Case& input, const StaticsReport& report) {
 
 std::string statics_summary(const Case& input, const StaticsReport& report) {
     std::string out = heading(input) + environment_text(input.environment);
-    if (report.platform) out += platform_text(input, *report.platform);
+    for (std::size_t k = 0; k < report.platforms.size(); ++k)
+        out += platform_text(input, input.platform_at(static_cast<int>(k)), report.platforms[k]);
     out += lines_text(input, report, true);
     return out;
 }

@@ -82,21 +82,29 @@ std::string environment_text(const Case& input, const ResultDigest& digest) {
     return out;
 }
 
-std::string platform_text(const RunRecord& record) {
-    if (!record.input.platform) return "";
-    std::string out = heading("Platform " + record.input.platform->name);
+/// Facts of platform k, and where it starts.
+std::string platform_text(const RunRecord& record, std::size_t k) {
+    const Platform& platform = record.input.platform_at(static_cast<int>(k));
+    std::string out = heading("Platform " + platform.name);
+    const std::vector<Fact> facts =
+        k < record.platforms.size() ? record.platforms[k] : std::vector<Fact>{};
     std::vector<std::string> names;
-    for (const Fact& fact : record.platform) names.push_back(fact.description);
+    for (const Fact& fact : facts) names.push_back(fact.description);
     const std::size_t width = widest(0, names);
-    for (const Fact& fact : record.platform) {
+    for (const Fact& fact : facts) {
         const bool large = fact.units == "kg" || fact.units == "N";
         const std::string units = fact.units == "kg" ? "t" : fact.units == "N" ? "kN" : fact.units;
         out += fmt::format("{:<{}}  {:>12} {}\n", fact.description, width,
                            figure(large ? fact.value / 1e3 : fact.value), units);
     }
-    if (record.statics && record.statics->platform) {
-        const Vec3 x = record.statics->platform->position;
-        const Vec3 q = degrees * record.statics->platform->angles;
+    if (record.input.platform_count() > 1 || platform.position != Vec3::Zero())
+        out +=
+            fmt::format("designed to be at x {:g} m, y {:g} m; surge and sway count from there\n",
+                        platform.position.x(), platform.position.y());
+    if (record.statics && k < record.statics->platforms.size()) {
+        const PlatformMotion& found = record.statics->platforms[k];
+        const Vec3 x = found.position - platform.position;
+        const Vec3 q = degrees * found.angles;
         out += "equilibrium under the mean loads: surge" + cell(x[0], 7, 2) + ", sway" +
                cell(x[1], 6, 2) + ", heave" + cell(x[2], 6, 2) + " m, roll" + cell(q[0], 6, 2) +
                ", pitch" + cell(q[1], 6, 2) + ", yaw" + cell(q[2], 6, 2) + " deg\n";
@@ -241,9 +249,10 @@ std::string statistics_text(const RunRecord& record, const ResultDigest& digest)
     return out;
 }
 
-std::string ledger_text(const LedgerTable& ledger, double step) {
-    std::string out =
-        heading(fmt::format("Load ledger: means from {:g} s to {:g} s", ledger.from, ledger.to));
+/// @param of  the platform's name where there are several
+std::string ledger_text(const LedgerTable& ledger, const std::string& of, double step) {
+    std::string out = heading(fmt::format("Load ledger{}: means from {:g} s to {:g} s",
+                                          of.empty() ? "" : " of " + of, ledger.from, ledger.to));
     const std::size_t width = widest(19, ledger.components);
     out += fmt::format("{:<{}} {:>12} {:>12} {:>12} {:>14} {:>14} {:>14}\n", "", width, "surge kN",
                        "sway kN", "heave kN", "roll kN.m", "pitch kN.m", "yaw kN.m");
@@ -329,14 +338,21 @@ const char* drift_limit(Drift drift) {
 
 std::string limits_text(const Case& input) {
     std::string out = heading("What the physics leaves out");
-    if (input.platform) {
+    const int platforms = input.platform_count();
+    for (int k = 0; k < platforms; ++k) {
+        const Platform& p = input.platform_at(k);
         out += "platform: ";
-        if (!input.platform->hydrodynamics.memory)
+        if (platforms > 1) out += p.name + ": ";
+        if (!p.hydrodynamics.memory)
             out += "constant added mass and radiation damping (no memory);\n          ";
         out += "no wave drift damping; no effect of current on drift and radiation;\n";
         out += fmt::format("          no Munk moment; {}; rigid hull\n",
-                           drift_limit(input.platform->hydrodynamics.drift));
+                           drift_limit(p.hydrodynamics.drift));
     }
+    if (platforms > 1)
+        out +=
+            "between:  no hydrodynamic interaction: each platform meets the undisturbed sea, the\n"
+            "          radiation of the others does not reach it, none shields another\n";
     if (!input.lines.empty()) {
         out +=
             "lines:    no torsion; contact between lines at sliders only; no vortex-induced "
@@ -363,11 +379,16 @@ std::string summary_text(const RunRecord& record, const ResultDigest& digest) {
         digest.last_time, d.duration, digest.samples, digest.snapshots, d.platform_step,
         d.line_step);
     out += environment_text(input, digest);
-    out += platform_text(record);
+    for (int k = 0; k < input.platform_count(); ++k)
+        out += platform_text(record, static_cast<std::size_t>(k));
     out += lines_text(record, digest);
     out += courses_text(record, digest);
     out += statistics_text(record, digest);
-    if (record.ledger) out += ledger_text(*record.ledger, d.platform_step);
+    for (std::size_t k = 0; k < record.ledgers.size(); ++k)
+        out += ledger_text(
+            record.ledgers[k],
+            record.ledgers.size() > 1 ? input.platform_at(static_cast<int>(k)).name : std::string(),
+            d.platform_step);
     out += impulses_text(record.impulses);
     out += performance_text(record);
     out += limits_text(input);

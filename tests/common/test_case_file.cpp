@@ -6,6 +6,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "adjustment.hpp"
 #include "bed_contact.hpp"
 #include "io/case_file.hpp"
 
@@ -178,6 +179,67 @@ TEST(CaseFile, ResolvedTextIsCompleteButForAuto) {
         EXPECT_NE(text.find(key), std::string::npos) << key;
     }
     EXPECT_EQ(text.find("pattern"), std::string::npos);
+}
+
+TEST(SeveralPlatforms, NamesBecomeIndicesAndPlacesCountFromTheirOwnPlatform) {
+    const Case c = read(source / "tests/common/cases/accepted/two_platforms.yml");
+    ASSERT_EQ(c.platform_count(), 2);
+    EXPECT_EQ(c.platform_at(0).name, "barge");
+    EXPECT_EQ(c.platform_at(1).name, "buoy");
+    EXPECT_EQ(c.platform_at(1).key_path, "platforms.buoy");
+    EXPECT_FALSE(c.platform_at(0).mass);  // auto, each for itself
+    EXPECT_EQ(c.platform_at(1).mass, 1e6);
+    EXPECT_EQ(c.platform_at(0).position, Vec3::Zero());
+    const Vec3 buoy(300.0, 40.0, 0.0);
+    EXPECT_EQ(c.platform_at(1).position, buoy);
+
+    const auto line = [&](const std::string& name) -> const Line& {
+        return *std::find_if(c.lines.begin(), c.lines.end(),
+                             [&](const Line& l) { return l.name == name; });
+    };
+    const Line& hawser = line("hawser");
+    EXPECT_EQ(hawser.end_a.platform, 0);
+    EXPECT_EQ(hawser.end_b.kind, EndKind::platform);
+    EXPECT_EQ(hawser.end_b.platform, 1);
+    EXPECT_NEAR(hawser.azimuth, std::atan2(40.0, 278.0), 1e-12);  // (15, 0) to (293, 40)
+    EXPECT_NEAR((c.place_of(hawser.end_b) - Vec3(293.0, 40.0, 3.0)).norm(), 0.0, 1e-12);
+    const Line &of_barge = line("bm1"), &of_buoy = line("ym2");
+    EXPECT_EQ(of_buoy.end_a.platform, 1);
+    EXPECT_NEAR(of_barge.end_b.position.head<2>().norm(), 600.0, 1e-9);
+    EXPECT_NEAR((of_buoy.end_b.position - buoy).head<2>().norm(), 600.0, 1e-9);
+    EXPECT_NEAR(of_buoy.end_a.position.head<2>().norm(), 7.0, 1e-12);  // on its platform's axes
+
+    const Line& riser = line("riser2");  // at (-1, 0) on the buoy
+    EXPECT_NEAR((riser.end_b.position - Vec3(299.0, 40.0, -200.0)).norm(), 0.0, 1e-12);
+    ASSERT_EQ(riser.constraints.size(), 3U);
+    const LineConstraint &tensioner = riser.constraints[0], &at_bed = riser.constraints[1],
+                         &keel = riser.constraints[2];
+    EXPECT_EQ(tensioner.platform, 1);
+    EXPECT_EQ(tensioner.position, Vec3(-1.0, 0.0, 3.0));
+    EXPECT_FALSE(at_bed.on_platform);
+    EXPECT_EQ(at_bed.position, Vec3(299.0, 40.0, -195.0));
+    EXPECT_EQ(keel.position, Vec3(-1.0, 0.0, -7.0));
+}
+
+TEST(SeveralPlatforms, AnAdjustedAnchorKeepsItsAzimuthSeenFromItsPlatform) {
+    Case c = read(source / "tests/common/cases/accepted/two_platforms.yml",
+                  {{"lines.buoy_mooring.adjust", "anchor_radius"},
+                   {"lines.buoy_mooring.pretension", "400 kN"}});
+    const auto at =
+        std::find_if(c.lines.begin(), c.lines.end(), [](const Line& l) { return l.name == "ym2"; });
+    EXPECT_NEAR(adjusted_quantity(*at), 600.0, 1e-9);
+    adjust(c, static_cast<int>(at - c.lines.begin()), 550.0);
+    const Vec3 from = at->end_b.position - c.platform_at(1).position;
+    EXPECT_NEAR(from.head<2>().norm(), 550.0, 1e-9);
+    EXPECT_NEAR(std::atan2(from.y(), from.x()), 2.0 * M_PI / 3.0, 1e-12);
+}
+
+TEST(SeveralPlatforms, OneAloneMayStandAnywhereUnderItsName) {
+    const Case c = read(source / "tests/common/cases/accepted/two_platforms.yml",
+                        {{"platforms.barge", "null"}, {"lines", "null"}});
+    ASSERT_EQ(c.platform_count(), 1);
+    EXPECT_EQ(c.platform->name, "buoy");
+    EXPECT_EQ(c.design_of(0).position, Vec3(300.0, 40.0, 0.0));
 }
 
 // Case-format 9.1: the worked-out properties of the example's lines.

@@ -387,9 +387,9 @@ io::RunRecord synthetic_record(const Case& input, int ranks) {
     record.outcome = "done";
     record.statics = io::StaticState{};
     if (input.platform) {
-        record.statics->platform = PlatformMotion{.position = platform_at(input, 0.0)};
-        record.platform = {{"mass", "t", "mass", 98434.0},
-                           {"buoyancy", "kN", "acting buoyancy", 1017940.0}};
+        record.statics->platforms = {PlatformMotion{.position = platform_at(input, 0.0)}};
+        record.platforms = {
+            {{"mass", "t", "mass", 98434.0}, {"buoyancy", "kN", "acting buoyancy", 1017940.0}}};
         LedgerTable ledger;
         const std::vector<std::pair<std::string, Vec6>> rows{
             {"wave1", (Vec6() << 1e4, 2e3, 5e4, 1e6, 3e6, 0).finished()},
@@ -416,7 +416,7 @@ io::RunRecord synthetic_record(const Case& input, int ranks) {
         ledger.residual = ledger.sum;
         ledger.from = input.analysis.dynamics.statistics_from;
         ledger.to = input.analysis.dynamics.duration;
-        record.ledger = ledger;
+        record.ledgers = {ledger};
     }
     record.performance = {{"wall", "s", "wall time of the time loop", 12.3},
                           {"cpu_per_second", "s/s", "user CPU time per simulated second", 0.06}};

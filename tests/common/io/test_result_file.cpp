@@ -172,7 +172,7 @@ TEST(Result, OfARunThatFailedBeforeItsFirstSampleStillHoldsTheInput) {
     RunRecord record = test::synthetic_record(test::synthetic_spar(10.0), 1);
     record.complete = false;
     record.outcome = "no static equilibrium";
-    record.ledger.reset();
+    record.ledgers.clear();
     record.statics.reset();
     const ResultDigest digest = write_result(folder.path, record);
     EXPECT_EQ(digest.samples, 0);
@@ -183,7 +183,8 @@ TEST(Result, OfARunThatFailedBeforeItsFirstSampleStillHoldsTheInput) {
 TEST(Summary, MarksALargeLedgerResidualAndSaysNothingOfMotionsWithoutLoads) {
     const test::Folder folder;
     RunRecord record = test::synthetic_record(test::synthetic_spar(10.0), 1);
-    LedgerTable& ledger = record.ledger.emplace();
+    record.ledgers.assign(1, {});
+    LedgerTable& ledger = record.ledgers.front();
     ledger.components = {"waves", "damping"};
     ledger.mean.assign(2, Vec6::Zero());
     ledger.mean[0] << 1e6, 1e-3, 2e6, 0, 3e7, 0;

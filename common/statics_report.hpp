@@ -46,7 +46,7 @@ struct FreeMotions {
 /// The platform at one offset; forces of the chosen lines on it.
 struct OffsetPoint {
     double offset = 0.0;                 ///< [m]
-    PlatformMotion pose;                 ///< at which the free motions have settled
+    PlatformMotion pose;                 ///< from the design position, the free motions settled
     double across = 0.0;                 ///< to the left of the offset, where that is free [m]
     double restoring = 0.0;              ///< against the offset [N]
     double transverse = 0.0;             ///< to the left of the offset [N]
@@ -57,6 +57,7 @@ struct OffsetPoint {
 };
 
 struct OffsetCurve {
+    int platform = 0;        ///< that is moved
     double heading = 0.0;    ///< [rad]
     std::vector<int> lines;  ///< that are summed
     FreeMotions free;
@@ -67,6 +68,7 @@ struct OffsetCurve {
 struct StaticsReport {
     std::vector<PlatformAtRest> platforms;  ///< in the order of the case
     std::vector<LineAtRest> lines;          ///< in line order
+    Eigen::MatrixXd stiffness;  ///< of platforms and lines, 6 rows and columns per platform
     std::optional<OffsetCurve> curve;
     std::vector<std::string> warnings;
 };
@@ -74,6 +76,7 @@ struct StaticsReport {
 struct StaticsRequest {
     std::vector<double> offsets;  ///< [m]; empty: no curve
     double heading = 0.0;         ///< of the offsets [rad]
+    std::string platform = {};    ///< that is moved, of several; empty: the first
     std::string lines = "*";      ///< glob: which lines the curve sums
     /// Along the curve; empty: heave for a curve of all lines, nothing for one of some lines
     std::optional<FreeMotions> free = {};

@@ -101,13 +101,18 @@ std::string dry_run(const Case& input, int ranks) {
     text += line_steps(input) + "\n\nallocation\n";
     std::vector<int> busiest(packs.size());
     std::iota(busiest.begin(), busiest.end(), 0);
+    const int platforms = input.platform_count();
+    const bool several = platforms > 1;
     if (ranks == 1) {
-        text += "  alone: platform and all lines in one process\n";
+        text += several
+                    ? fmt::format("  alone: {} platforms and all lines in one process\n", platforms)
+                    : "  alone: platform and all lines in one process\n";
     } else {
         const auto packs_of_rank = packs_of_ranks(input, ranks);
         const auto lines_of_rank = lines_of_ranks(input, ranks);
         double most = -1.0;
-        text += "  rank 0: platform\n";
+        text +=
+            several ? fmt::format("  rank 0: {} platforms\n", platforms) : "  rank 0: platform\n";
         for (std::size_t rank = 1; rank < packs_of_rank.size(); ++rank) {
             double cost = 0.0;
             for (const int pack : packs_of_rank[rank])

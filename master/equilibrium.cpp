@@ -14,11 +14,11 @@ namespace hawser::master {
 
 namespace {
 
-const Reply& ask(Lines& lines, const PlatformMotion& pose, bool current) {
+const Reply& ask(Lines& lines, const Poses& poses, bool current) {
     Order order;
     order.ask = Ask::equilibrium;
     order.current = current;
-    order.from[0] = order.to[0] = pose;
+    order.from = order.to = poses;
     lines.send(order);
     return lines.receive();
 }
@@ -80,7 +80,7 @@ Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
                              const Describe& describe) {
     constexpr int most_halvings = 6;
     Equilibrium at{.pose = start, .lines = {}};
-    at.lines = lines_at(lines, start, current, describe);
+    at.lines = lines_at(lines, Poses{start}, current, describe);
     for (;; ++at.iterations) {
         const Mat6 free =
             any(platform.held) ? free_projection(at.pose.angles, platform.held) : platform.free;
@@ -104,22 +104,22 @@ Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
 
         Vec6 dX = limited(step.dX, limits);
         PlatformMotion moved = moved_by(dX);
-        const Reply* reply = &ask(lines, moved, current);
+        const Reply* reply = &ask(lines, Poses{moved}, current);
         for (int half = 0; !reply->status.ok() && half < most_halvings; ++half) {
             dX /= 2;
             moved = moved_by(dX);
-            reply = &ask(lines, moved, current);
+            reply = &ask(lines, Poses{moved}, current);
         }
         if (!reply->status.ok())
-            throw RunError(ExitCode::no_equilibrium, describe(reply->status, moved));
+            throw RunError(ExitCode::no_equilibrium, describe(reply->status, Poses{moved}));
         at.pose = moved;
         at.lines = *reply;
     }
 }
 
-Reply lines_at(Lines& lines, const PlatformMotion& pose, bool current, const Describe& describe) {
-    const Reply& reply = ask(lines, pose, current);
-    if (!reply.status.ok()) throw RunError(ExitCode::no_equilibrium, describe(reply.status, pose));
+Reply lines_at(Lines& lines, const Poses& poses, bool current, const Describe& describe) {
+    const Reply& reply = ask(lines, poses, current);
+    if (!reply.status.ok()) throw RunError(ExitCode::no_equilibrium, describe(reply.status, poses));
     return reply;
 }
 

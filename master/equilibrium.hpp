@@ -12,10 +12,10 @@ namespace hawser::master {
 
 /// What the equilibrium needs of the platform.
 struct StaticPlatform {
-    std::string name;
-    std::function<Vec6(const PlatformMotion&)> load;  ///< all but the lines [N, N.m about O]
-    std::function<Mat6(const PlatformMotion&)>
-        stiffness;       ///< -d(load)/d(position, rotation vector)
+    std::string name = {};
+    std::function<Vec6(const PlatformMotion&)> load = {};  ///< all but the lines [N, N.m about O]
+    std::function<Mat6(const PlatformMotion&)> stiffness =
+        {};              ///< -d(load)/d(position, rotation vector)
     double force = 1.0;  ///< scale of its loads, e.g. the weight [N]
     double length =
         1.0;  ///< lever arm that makes its rotations lengths, e.g. radius of gyration [m]
@@ -39,10 +39,11 @@ struct Equilibrium {
     double force = 0.0, moment = 0.0;  ///< out of balance [N, N.m]
 };
 
-/// Words for a line that failed with the platform at a pose.
-using Describe = std::function<std::string(const Status&, const PlatformMotion&)>;
+using Poses = PerPlatform<PlatformMotion>;
+/// Words for a line that failed with the platforms at their poses.
+using Describe = std::function<std::string(const Status&, const Poses&)>;
 
-/// Solves load(pose) + sum of the lines' wrenches = 0:
+/// For the only platform of a case. Solves load(pose) + sum of the lines' wrenches = 0:
 ///
 ///     (K + sum S) dX = load + sum f,     pose <- pose moved by dX
 ///
@@ -56,7 +57,8 @@ Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
                              const PlatformMotion& start, bool current, const NewtonLimits& limits,
                              const Describe& describe);
 
-/// The lines' static loads with the platform held at a pose. Throws RunError (no_equilibrium).
-Reply lines_at(Lines& lines, const PlatformMotion& pose, bool current, const Describe& describe);
+/// The lines' static loads with the platforms held at their poses. Throws RunError
+/// (no_equilibrium).
+Reply lines_at(Lines& lines, const Poses& poses, bool current, const Describe& describe);
 
 }  // namespace hawser::master

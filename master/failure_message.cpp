@@ -26,7 +26,7 @@ double largest_cfl(const Line& line, const Case& input) {
 }
 
 std::string failure_message(const Status& status, const Case& input, int stage,
-                            const PlatformMotion& pose) {
+                            const PerPlatform<PlatformMotion>& poses) {
     const bool known = status.line >= 0 && status.line < static_cast<int>(input.lines.size());
     const Line* line = known ? &input.lines[static_cast<std::size_t>(status.line)] : nullptr;
     const std::string name = known ? line->name : "lines";
@@ -52,7 +52,7 @@ std::string failure_message(const Status& status, const Case& input, int stage,
         return fmt::format(
             "{}: no static solution after {} iterations, a number is not finite at {}; likely "
             "cause: {}",
-            name, status.iterations, where, static_failure_cause(*line, input, pose));
+            name, status.iterations, where, static_failure_cause(*line, input, poses));
     switch (status.code) {
         case Status::Code::ok:
             return when + ": no failure";
@@ -72,18 +72,18 @@ std::string failure_message(const Status& status, const Case& input, int stage,
         case Status::Code::no_equilibrium:
             if (!(status.residual > 0.0) && line)  // there was nothing to start from
                 return fmt::format("{}: no static solution; likely cause: {}", name,
-                                   static_failure_cause(*line, input, pose));
+                                   static_failure_cause(*line, input, poses));
             return fmt::format(
                 "{}: no static solution after {} iterations, largest position correction {:.2g} m "
                 "at {}; likely cause: {}",
                 name, status.iterations, status.residual, where,
-                line ? static_failure_cause(*line, input, pose) : "");
+                line ? static_failure_cause(*line, input, poses) : "");
         case Status::Code::false_equilibrium:
             return fmt::format(
                 "{}: no static solution: what was found is not a hanging line (compressed more "
                 "than it "
                 "can stand, folded, or stretched beyond reason); likely cause: {}",
-                name, line ? static_failure_cause(*line, input, pose) : "");
+                name, line ? static_failure_cause(*line, input, poses) : "");
     }
     return when;
 }

@@ -1,14 +1,14 @@
-// `hawser modes`: natural modes of every line and of the platform with its lines. One process.
+// `hawser modes`: natural modes of every line and of the platforms with their lines. One process.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "equilibrium.hpp"
 #include "failure_message.hpp"
-#include "io/hydro_file.hpp"
+#include "hulls.hpp"
 #include "line_selection.hpp"
 #include "modes_report.hpp"
 #include "packing.hpp"
@@ -20,23 +20,20 @@ ModesReport find_modes(const Case& input, const ModesRequest& request) {
     using namespace master;
     ModesReport report;
     const std::vector<int> wanted = lines_called(request.lines, input);
-    const auto describe = [&](const Status& s, const PlatformMotion& pose) {
-        return failure_message(s, input, 0, pose);
+    const auto describe = [&](const Status& s, const Poses& poses) {
+        return failure_message(s, input, 0, poses);
     };
     const std::unique_ptr<RestingLines> lines = make_resting_lines(input);
     if (!input.platform) {
-        lines_at(*lines, PlatformMotion{}, input.analysis.statics.current, describe);
+        lines_at(*lines, {}, input.analysis.statics.current, describe);
     } else {
-        std::optional<HydroData> hydro;
-        if (const auto& database = input.platform->hydrodynamics.database)
-            hydro = io::read_hydro(*database, input.environment);
-        Hull hull(input, hydro ? &*hydro : nullptr);
+        std::vector<Hull> hulls = hulls_of(input);
         Case at_rest = input;
-        leave_out_initial(*at_rest.platform);
-        const StaticStart start = static_start(at_rest, hull, *lines);
-        report.warnings = start.notes;
-        report.platforms = {input.platform->name};
-        report.coupled.assign(start.modes.begin(), start.modes.end());
+        leave_out_initial(at_rest);
+        StaticStart start = static_start(at_rest, hulls, *lines);
+        report.warnings = std::move(start.notes);
+        for (const Hull& hull : hulls) report.platforms.push_back(hull.name());
+        report.coupled = std::move(start.modes);
     }
     std::vector<LineAtRest> rest = lines->at_rest();
     std::vector<int> tied;

@@ -16,27 +16,31 @@ namespace hawser::master {
 namespace {
 constexpr double steepest_pitch = 80.0 * M_PI / 180.0;  // K:2: det E = cos(pitch)
 
-Mat6 infinite_added_mass(const HydroData& data, const Hydrodynamics& h) {
+Mat6 infinite_added_mass(const HydroData& data, const Platform& p) {
+    const Hydrodynamics& h = p.hydrodynamics;
     if (data.added_mass_inf) return *data.added_mass_inf;
     if (h.database && h.database->estimate_infinite)
         return estimated_infinite_added_mass(data, h.memory->duration);
     throw RunError(ExitCode::input,
-                   "platform.hydrodynamics.added_mass.convolution: expected a database with the "
-                   "added mass at infinite frequency (rows of period 0 in the .1); found none. "
-                   "Compute it, or have it estimated: database.estimate_infinite: true");
+                   p.key_path +
+                       ".hydrodynamics.added_mass.convolution: expected a database with the "
+                       "added mass at infinite frequency (rows of period 0 in the .1); found none. "
+                       "Compute it, or have it estimated: database.estimate_infinite: true");
 }
 
 /// Case key hydrodynamics.added_mass: a frequency, or the spectral peak.
-Radiation radiation_of(const Hydrodynamics& h, const HydroData* data, const Sea& sea) {
+Radiation radiation_of(const Platform& p, const HydroData* data, const Sea& sea) {
+    const Hydrodynamics& h = p.hydrodynamics;
     Radiation r;
     if (data != nullptr && h.memory) {
-        r.added_mass = infinite_added_mass(*data, h);
+        r.added_mass = infinite_added_mass(*data, p);
     } else if (data != nullptr) {
         if (!h.added_mass_frequency && !sea.has_waves())
             throw RunError(ExitCode::input,
-                           "platform.hydrodynamics.added_mass: expected a frequency, e.g. "
-                           "{constant: 0.4 rad/s}: in still water there is no spectral peak to "
-                           "take the constant added mass and damping at");
+                           p.key_path +
+                               ".hydrodynamics.added_mass: expected a frequency, e.g. "
+                               "{constant: 0.4 rad/s}: in still water there is no spectral peak to "
+                               "take the constant added mass and damping at");
         r = radiation_at(*data, h.added_mass_frequency.value_or(sea.peak_frequency()));
     }
     if (h.matrix) {
@@ -74,40 +78,44 @@ PlatformMotion at_rest(const PlatformMotion& m) {
     return {.position = m.position, .angles = m.angles};
 }
 
-const Platform& platform_of(const Case& c) {
-    if (!c.platform) throw RunError(ExitCode::bug, "a hull was asked for in a case without one");
-    return *c.platform;
+const Platform& platform_of(const Case& c, int which) {
+    if (which >= c.platform_count())
+        throw RunError(ExitCode::bug, "a hull was asked for in a case without one");
+    return c.platform_at(which);
 }
 }  // namespace
 
-Hull::Hull(const Case& c, const HydroData* data)
-    : name_(platform_of(c).name),
+Hull::Hull(const Case& c, const HydroData* data, int which)
+    : Hull(c, platform_of(c, which), data) {}
+
+Hull::Hull(const Case& c, const Platform& p, const HydroData* data)
+    : name_(p.name),
+      design_(p.position),
       statics_(c.analysis.statics),
       ramp_(c.analysis.dynamics.ramp),
       sea_(c.environment, ramp_, 0.0),
-      buoyancy_(buoyancy_of(c.platform->hydrodynamics, data, c.environment.water)),
-      radiation_(radiation_of(c.platform->hydrodynamics, data, sea_)),
-      members_(c.platform->members, c.environment.water),
-      plates_(c.platform->plates, c.environment.water),
-      wind_(c.environment.wind, c.platform->wind, ramp_),
-      linear_damping_(c.platform->linear_damping),
-      quadratic_damping_(c.platform->quadratic_damping),
-      stiffness_(c.platform->stiffness),
+      buoyancy_(buoyancy_of(p.hydrodynamics, data, c.environment.water)),
+      radiation_(radiation_of(p, data, sea_)),
+      members_(p.members, c.environment.water),
+      plates_(p.plates, c.environment.water),
+      wind_(c.environment.wind, p.wind, ramp_),
+      linear_damping_(p.linear_damping),
+      quadratic_damping_(p.quadratic_damping),
+      stiffness_(p.stiffness),
       stiffness_acts_(!stiffness_.isZero(0.0)),
-      stiffness_turns_(c.platform->stiffness_turns),
-      current_load_(c.platform->current_coefficients, c.environment.water.density),
-      forces_(c.platform->forces, ramp_),
-      held_(c.platform->held()),
-      place_{.position = c.platform->initial.position, .angles = c.platform->initial.angles},
+      stiffness_turns_(p.stiffness_turns),
+      current_load_(p.current_coefficients, c.environment.water.density),
+      forces_(p.forces, ramp_),
+      held_(p.held()),
+      place_{.position = design_ + p.initial.position, .angles = p.initial.angles},
       phases_(sea_.components().size()),
       slow_phases_(sea_.components().size()) {
-    const Platform& p = *c.platform;
     const Hydrodynamics& h = p.hydrodynamics;
     if (h.memory && data != nullptr) {
         radiation_data_.frequencies = data->frequencies;
         radiation_data_.added_mass = data->added_mass;
         radiation_data_.damping = data->damping;
-        infinite_ = infinite_added_mass(*data, h);
+        infinite_ = infinite_added_mass(*data, p);
         const double D = c.analysis.dynamics.platform_step;
         if (h.memory->form == RadiationMemoryKeys::Form::discrete)
             discrete_.emplace(Retardation(*data), D, h.memory->duration);
@@ -131,9 +139,11 @@ Hull::Hull(const Case& c, const HydroData* data)
         excitation_ = ComponentTable<CVec6>(data->excitation, sea_.components());
         if (drift_ == Drift::full_qtf) {
             if (data->difference.empty())
-                throw RunError(ExitCode::input,
-                               "platform.hydrodynamics.drift: full_qtf: expected a database with a "
-                               "difference-frequency QTF (.10d, .11d or .12d); found none of them");
+                throw RunError(
+                    ExitCode::input,
+                    p.key_path +
+                        ".hydrodynamics.drift: full_qtf: expected a database with a "
+                        "difference-frequency QTF (.10d, .11d or .12d); found none of them");
             using Of = QuadraticLoad::Of;
             differences_ = QuadraticLoad(data->difference, Of::differences, sea_.components());
             sums_ = QuadraticLoad(data->sum, Of::sums, sea_.components());
@@ -141,8 +151,9 @@ Hull::Hull(const Case& c, const HydroData* data)
         } else if (drift_ != Drift::none) {
             if (data->mean_drift.empty())
                 throw RunError(ExitCode::input,
-                               "platform.hydrodynamics.drift: expected a database with mean drift "
-                               "(.8, .9 or .7); found none of them");
+                               p.key_path +
+                                   ".hydrodynamics.drift: expected a database with mean drift "
+                                   "(.8, .9 or .7); found none of them");
             mean_drift_ = ComponentTable<Vec6>(data->mean_drift, sea_.components());
         }
     }
@@ -204,7 +215,7 @@ HullLoads Hull::loads(double t, const State& s) const {
         wind_.load(t, m, R, w) - (1.0 - mean_factor(statics_.wind_mean, r)) * wind_.mean_load(m, R);
     loads[Load::damping] = user_damping_load(linear_damping_, quadratic_damping_, m, w);
     if (stiffness_acts_)
-        loads[Load::stiffness] = user_stiffness_load(stiffness_, stiffness_turns_, m);
+        loads[Load::stiffness] = user_stiffness_load(stiffness_, stiffness_turns_, from_design(m));
     loads[Load::forces] = forces_.load(t, R);
     return loads;
 }
@@ -284,7 +295,8 @@ Vec6 Hull::static_load(const PlatformMotion& pose, const Statics& which) const {
     if (which.current) load += members.current + plates_.current_load(sea_, 1.0, pose, R);
     if (which.current) load += current_load_.load(sea_, 1.0, at_rest(pose), R, Vec3::Zero());
     if (which.wind_mean) load += wind_.mean_load(pose, R);
-    if (stiffness_acts_) load += user_stiffness_load(stiffness_, stiffness_turns_, pose);
+    if (stiffness_acts_)
+        load += user_stiffness_load(stiffness_, stiffness_turns_, from_design(pose));
     load += forces_.static_load(R);
     if (which.drift_mean && !mean_drift_.empty()) {
         const WavePosition at{pose.position.x(), pose.position.y(), pose.angles.z()};
@@ -336,8 +348,10 @@ Mat6 Hull::static_mass(const PlatformMotion& pose, double frequency) const {
 }
 
 LedMotion Hull::held_at(double t) const {
-    if (path_) return path_->at(t);
-    return {.motion = place_, .acceleration = {}};
+    if (!path_) return {.motion = place_, .acceleration = {}};
+    LedMotion led = path_->at(t);
+    led.motion.position += design_;
+    return led;
 }
 
 State Hull::led(double t, State s) const {

@@ -68,9 +68,10 @@ struct HullLoads {
 /// Not for use by several threads at once: the loads share workspaces.
 class Hull {
  public:
-    /// @param data  coefficients of the case's database; null for a platform without one
+    /// @param data   coefficients of the platform's database; null for a platform without one
+    /// @param which  of several platforms in the case
     /// Throws RunError (input) where the case asks for what the data do not hold.
-    Hull(const Case& c, const HydroData* data);
+    Hull(const Case& c, const HydroData* data, int which = 0);
 
     /// Mass [kg]; with radii of gyration in the case the inertia follows it. Until it is called,
     /// a platform of mass `auto` weighs what floats at the design draft.
@@ -96,7 +97,7 @@ class Hull {
 
     /// Motions that do not follow from the loads, K:20.
     [[nodiscard]] const Held& held() const { return held_; }
-    /// Where they are at time t [s]; at rest unless the motion is prescribed.
+    /// Where they are at time t [s], on world axes; at rest unless the motion is prescribed.
     [[nodiscard]] LedMotion held_at(double t) const;
     /// The state with these motions in their place.
     [[nodiscard]] State led(double t, State s) const;
@@ -123,6 +124,10 @@ class Hull {
     /// d(momentum)/dt = loads.total() - momentum_transport(): O moves (rigid_body.hpp).
     [[nodiscard]] Vec6 momentum_transport(const State& state) const;
 
+    [[nodiscard]] const std::string& name() const { return name_; }
+    /// Where it is built to be, on world axes: motions that are held or led, and the user's
+    /// stiffness, count from there.
+    [[nodiscard]] PlatformMotion design() const { return {.position = design_}; }
     [[nodiscard]] const Sea& sea() const { return sea_; }
     [[nodiscard]] const Radiation& radiation() const { return radiation_; }
     /// The fitted memory; without oscillators where there is none.
@@ -131,11 +136,18 @@ class Hull {
     [[nodiscard]] double slow_cutoff() const { return cutoff_; }
 
  private:
+    Hull(const Case& c, const Platform& p, const HydroData* data);
+
+    [[nodiscard]] PlatformMotion from_design(PlatformMotion pose) const {
+        pose.position -= design_;
+        return pose;
+    }
     [[nodiscard]] double mean_factor(bool in_statics, double r) const {
         return in_statics ? 1.0 : r;  // a mean load that the statics left out is ramped
     }
 
     std::string name_;
+    Vec3 design_;
     Statics statics_;
     double ramp_;
     Sea sea_;

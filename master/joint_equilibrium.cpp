@@ -5,6 +5,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion_names.hpp"
 #include "paper_rate.hpp"
@@ -13,8 +14,6 @@
 namespace hawser::master {
 
 namespace {
-
-using Poses = PerPlatform<PlatformMotion>;
 
 const Reply& ask(Lines& lines, const Poses& poses, bool current) {
     Order order;
@@ -25,17 +24,9 @@ const Reply& ask(Lines& lines, const Poses& poses, bool current) {
     return lines.receive();
 }
 
-Eigen::Index row_of(std::size_t platform) { return static_cast<Eigen::Index>(6 * platform); }
-
-/// Makes platforms of all sizes alike: rotations as lengths, loads as parts of the platform's own.
-Eigen::VectorXd scales(const std::vector<StaticPlatform>& platforms) {
-    Eigen::VectorXd scale(row_of(platforms.size()));
-    for (std::size_t k = 0; k < platforms.size(); ++k) {
-        const double one = 1.0 / std::sqrt(platforms[k].force);
-        scale.segment<3>(row_of(k)).setConstant(one);
-        scale.segment<3>(row_of(k) + 3).setConstant(one / platforms[k].length);
-    }
-    return scale;
+/// A platform that is led may weigh nothing.
+double force_of(const StaticPlatform& platform) {
+    return platform.force > 0.0 ? platform.force : 1.0;
 }
 
 /// Least-norm solution of K dX = r in the scaled coordinates; what nothing holds stays.
@@ -68,10 +59,13 @@ double longest(const Eigen::VectorXd& dX) {
     return most;
 }
 
-Poses displaced_all(const Poses& poses, const Eigen::VectorXd& dX) {
+/// @param start  where the motions that are held stay
+Poses displaced_all(const std::vector<StaticPlatform>& platforms, const Poses& poses,
+                    const Eigen::VectorXd& dX, const Poses& start) {
     Poses out = poses;
-    for (std::size_t k = 0; row_of(k) < dX.size(); ++k)
-        out[k] = displaced(poses[k], Vec6(dX.segment<6>(row_of(k))));
+    for (std::size_t k = 0; k < platforms.size(); ++k)
+        out[k] = with_held(displaced(poses[k], Vec6(dX.segment<6>(row_of(k)))), start[k],
+                           platforms[k].held);
     return out;
 }
 
@@ -90,7 +84,7 @@ bool balanced(const std::vector<StaticPlatform>& platforms, const Eigen::VectorX
                        const Eigen::VectorXd& scale) {
     Eigen::VectorXd relative = r.cwiseProduct(scale).cwiseAbs();
     for (std::size_t k = 0; k < platforms.size(); ++k)  // as parts of each platform's own loads
-        relative.segment<6>(row_of(k)) /= std::sqrt(platforms[k].force);
+        relative.segment<6>(row_of(k)) /= std::sqrt(force_of(platforms[k]));
     Eigen::Index worst = 0;
     relative.maxCoeff(&worst);
     const auto k = static_cast<std::size_t>(worst / 6);
@@ -116,31 +110,59 @@ bool balanced(const std::vector<StaticPlatform>& platforms, const Eigen::VectorX
 
 }  // namespace
 
-Eigen::MatrixXd lines_stiffness(const Reply& lines, std::size_t platforms) {
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(row_of(platforms), row_of(platforms));
+void add_lines_stiffness(const Reply& lines, Eigen::MatrixXd& K) {
+    const auto platforms = static_cast<std::size_t>(K.rows() / 6);
     for (const LineLoad& line : lines.lines)
         for (std::size_t i = 0; i < platforms; ++i)
             for (std::size_t j = 0; j < platforms; ++j)
                 if (const Mat6* part = line.stiffness_of(static_cast<int>(i), static_cast<int>(j)))
                     K.block<6, 6>(row_of(i), row_of(j)) += *part;
-    return K;
+}
+
+Eigen::VectorXd scales_of(const std::vector<StaticPlatform>& platforms) {
+    Eigen::VectorXd scale(row_of(platforms.size()));
+    for (std::size_t k = 0; k < platforms.size(); ++k) {
+        const double one = 1.0 / std::sqrt(force_of(platforms[k]));
+        scale.segment<3>(row_of(k)).setConstant(one);
+        scale.segment<3>(row_of(k) + 3).setConstant(one / platforms[k].length);
+    }
+    return scale;
+}
+
+Eigen::MatrixXd free_projection(const std::vector<StaticPlatform>& platforms, const Poses& poses) {
+    const Eigen::Index rows = row_of(platforms.size());
+    Eigen::MatrixXd free = Eigen::MatrixXd::Zero(rows, rows);
+    for (std::size_t k = 0; k < platforms.size(); ++k)
+        free.block<6, 6>(row_of(k), row_of(k)) =
+            any(platforms[k].held) ? free_projection(poses[k].angles, platforms[k].held)
+                                   : platforms[k].free;
+    return free;
 }
 
 JointEquilibrium find_joint_equilibrium(const std::vector<StaticPlatform>& platforms, Lines& lines,
                                         const Poses& start, bool current,
-                                        const NewtonLimits& limits, const DescribeJoint& describe) {
+                                        const NewtonLimits& limits, const Describe& describe) {
     constexpr int most_halvings = 6;
     const std::size_t count = platforms.size();
-    const Eigen::VectorXd scale = scales(platforms);
+    if (count == 1) {
+        Equilibrium one =
+            find_equilibrium(platforms.front(), lines, start[0], current, limits, describe);
+        return {.pose = {one.pose}, .lines = std::move(one.lines), .iterations = one.iterations};
+    }
+    const Eigen::VectorXd scale = scales_of(platforms);
     JointEquilibrium at{.pose = start, .lines = lines_at(lines, start, current, describe)};
     for (;; ++at.iterations) {
         Eigen::VectorXd r(row_of(count));
-        Eigen::MatrixXd K = lines_stiffness(at.lines, count);
+        Eigen::MatrixXd K = Eigen::MatrixXd::Zero(row_of(count), row_of(count));
+        add_lines_stiffness(at.lines, K);
         for (std::size_t k = 0; k < count; ++k) {
             r.segment<6>(row_of(k)) =
                 platforms[k].load(at.pose[k]) + total_wrench(at.lines, static_cast<int>(k));
             K.block<6, 6>(row_of(k), row_of(k)) += platforms[k].stiffness(at.pose[k]);
         }
+        const Eigen::MatrixXd free = free_projection(platforms, at.pose);
+        r = free * r;
+        K = free * K * free;
         const NewtonStep step = newton_step(K, r, scale);
         const bool rests = balanced(platforms, r, limits.tolerance);
         const double correction = longest(step.dX);
@@ -150,11 +172,11 @@ JointEquilibrium find_joint_equilibrium(const std::vector<StaticPlatform>& platf
             fail(platforms, at, r, step, scale);
 
         Eigen::VectorXd dX = part_within(step.dX, limits) * step.dX;
-        Poses moved = displaced_all(at.pose, dX);
+        Poses moved = displaced_all(platforms, at.pose, dX, start);
         const Reply* reply = &ask(lines, moved, current);
         for (int half = 0; !reply->status.ok() && half < most_halvings; ++half) {
             dX /= 2;
-            moved = displaced_all(at.pose, dX);
+            moved = displaced_all(platforms, at.pose, dX, start);
             reply = &ask(lines, moved, current);
         }
         if (!reply->status.ok())
@@ -162,12 +184,6 @@ JointEquilibrium find_joint_equilibrium(const std::vector<StaticPlatform>& platf
         at.pose = moved;
         at.lines = *reply;
     }
-}
-
-Reply lines_at(Lines& lines, const Poses& poses, bool current, const DescribeJoint& describe) {
-    const Reply& reply = ask(lines, poses, current);
-    if (!reply.status.ok()) throw RunError(ExitCode::no_equilibrium, describe(reply.status, poses));
-    return reply;
 }
 
 }  // namespace hawser::master

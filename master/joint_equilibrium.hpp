@@ -9,16 +9,25 @@
 namespace hawser::master {
 
 struct JointEquilibrium {
-    PerPlatform<PlatformMotion> pose;
+    Poses pose;
     Reply lines;  ///< at those poses, with stiffness
     int iterations = 0;
 };
 
-/// Words for a line that failed with the platforms at their poses.
-using DescribeJoint = std::function<std::string(const Status&, const PerPlatform<PlatformMotion>&)>;
+/// First of the six rows of platform k among those of all.
+[[nodiscard]] inline Eigen::Index row_of(std::size_t k) { return static_cast<Eigen::Index>(6 * k); }
 
-/// Stiffness of the lines for the motions of all platforms, 6 rows and columns each [N/m, N, N.m].
-[[nodiscard]] Eigen::MatrixXd lines_stiffness(const Reply& lines, std::size_t platforms);
+/// Adds, in line order, the stiffness of the lines for the motions of all platforms to K, which has
+/// 6 rows and columns for each [N/m, N, N.m].
+void add_lines_stiffness(const Reply& lines, Eigen::MatrixXd& K);
+
+/// What makes platforms of all sizes alike: rotations as lengths, loads as parts of the platform's
+/// own. Coordinates over these.
+[[nodiscard]] Eigen::VectorXd scales_of(const std::vector<StaticPlatform>& platforms);
+
+/// What may move, K:20: the projections of all platforms as blocks on the diagonal.
+[[nodiscard]] Eigen::MatrixXd free_projection(const std::vector<StaticPlatform>& platforms,
+                                              const Poses& poses);
 
 /// Solves load_k(pose_k) + sum of the lines' wrenches on k = 0 for all platforms k together:
 ///
@@ -26,15 +35,11 @@ using DescribeJoint = std::function<std::string(const Status&, const PerPlatform
 ///     dX_k
 ///
 /// S has the parts between the platforms that a line joins. The ends of the iteration, what nothing
-/// holds and lines that fail on the way are treated as in find_equilibrium.
+/// holds, motions that are held and lines that fail on the way are treated as in find_equilibrium,
+/// which does the work where there is one platform.
 /// Throws RunError (no_equilibrium) that names the platform furthest from balance.
 JointEquilibrium find_joint_equilibrium(const std::vector<StaticPlatform>& platforms, Lines& lines,
-                                        const PerPlatform<PlatformMotion>& start, bool current,
-                                        const NewtonLimits& limits, const DescribeJoint& describe);
-
-/// The lines' static loads with the platforms held at their poses. Throws RunError
-/// (no_equilibrium).
-Reply lines_at(Lines& lines, const PerPlatform<PlatformMotion>& poses, bool current,
-               const DescribeJoint& describe);
+                                        const Poses& start, bool current,
+                                        const NewtonLimits& limits, const Describe& describe);
 
 }  // namespace hawser::master

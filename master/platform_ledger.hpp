@@ -11,10 +11,12 @@
 
 namespace hawser::master {
 
-/// Hull loads by component and each family of lines by itself, from `statistics_from` on.
+/// Hull loads by component and each family of the platform's lines by itself, from
+/// `statistics_from` on.
 class PlatformLedger {
  public:
-    explicit PlatformLedger(const Case& input);
+    /// @param which  of several platforms in the case
+    explicit PlatformLedger(const Case& input, int which = 0);
 
     /// One evaluation of P:3, in the order in which they are made. Before the first step from
     /// `statistics_from` on it does nothing.
@@ -30,6 +32,7 @@ class PlatformLedger {
     [[nodiscard]] LedgerTable table() const { return ledger_.table(); }
 
  private:
+    int which_;
     double from_, D_;
     int states_ = 0;                   ///< between steps
     std::vector<std::size_t> family_;  ///< of each line: index of its component

@@ -20,6 +20,7 @@ std::string progress_line(const ProgressState& s) {
         text += fmt::format("  ETA {:02}:{:02}:{:02}", left / 3600, left / 60 % 60, left % 60);
     }
     if (s.surge) text += fmt::format("  surge {:.1f} m", *s.surge);
+    if (s.surge && !s.platform.empty()) text += fmt::format(" ({})", s.platform);
     if (!s.line.empty()) text += fmt::format("  max T {:.0f} kN ({})", s.tension / 1e3, s.line);
     return text;
 }
@@ -30,8 +31,8 @@ Progress::Progress(ProgressStyle style, bool alone)
         style_ = alone && isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
-void Progress::show(double t, double duration, const PlatformMotion* platform, const Reply& lines,
-                    const Case& input) {
+void Progress::show(double t, double duration, std::span<const PlatformMotion> platforms,
+                    const Reply& lines, const Case& input) {
     if (style_ == ProgressStyle::none) return;
     const double now = wall_seconds(), fraction = duration > 0.0 ? t / duration : 1.0;
     const bool due = style_ == ProgressStyle::bar
@@ -45,8 +46,15 @@ void Progress::show(double t, double duration, const PlatformMotion* platform, c
                     .wall = now - start_,
                     .surge = std::nullopt,
                     .tension = 0.0,
-                    .line = ""};
-    if (platform != nullptr) s.surge = platform->position.x();
+                    .line = "",
+                    .platform = ""};
+    for (std::size_t k = 0; k < platforms.size(); ++k) {
+        const Platform& its = input.platform_at(static_cast<int>(k));
+        const double surge = platforms[k].position.x() - its.position.x();
+        if (s.surge && std::abs(surge) <= std::abs(*s.surge)) continue;
+        s.surge = surge;
+        if (platforms.size() > 1) s.platform = its.name;
+    }
     for (std::size_t i = 0; i < lines.lines.size(); ++i)
         if (s.line.empty() || lines.lines[i].end_tension > s.tension) {
             s.tension = lines.lines[i].end_tension;

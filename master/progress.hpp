@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "roles.hpp"
@@ -11,9 +12,10 @@ namespace hawser::master {
 struct ProgressState {
     double t = 0.0, duration = 0.0;  ///< simulated [s]
     double wall = 0.0;               ///< since the loop began [s]
-    std::optional<double> surge;     ///< [m]
+    std::optional<double> surge;     ///< [m]; of several platforms the greatest
     double tension = 0.0;            ///< greatest effective tension at an end A [N]
     std::string line;                ///< whose; empty: no lines
+    std::string platform = {};       ///< of several: whose surge it is
 };
 
 /// "t 1250.0/3600.0 s  34.7 %  2.31x real time  ETA 00:16:57  surge 31.2 m  max T 5012 kN (ml6)"
@@ -26,8 +28,9 @@ class Progress {
     Progress(ProgressStyle style, bool alone);
 
     /// Prints if it is time to. Called once a step.
-    void show(double t, double duration, const PlatformMotion* platform, const Reply& lines,
-              const Case& input);
+    /// @param platforms  of the case, on world axes; empty: none
+    void show(double t, double duration, std::span<const PlatformMotion> platforms,
+              const Reply& lines, const Case& input);
     /// Ends the bar's line.
     void finish();
 

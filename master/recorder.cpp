@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "io/result_fields.hpp"
 
@@ -28,20 +29,27 @@ Recorder::Recorder(const Case& input, const Sea& sea, io::SeriesWriter& results)
     const double D = input.analysis.dynamics.platform_step;
     sample_every_ = steps_between(input.output.interval, D);
     snapshot_every_ = input.output.snapshots ? steps_between(*input.output.snapshots, D) : 0;
-    const std::string root = input.platform ? io::platform_path(*input.platform) : "/platform/";
-    position_ = declare(root + "position", 6);
-    velocity_ = declare(root + "velocity", 6);
-    acceleration_ = declare(root + "acceleration", 6);
-    for (const std::string_view name : io::load_names)
-        loads_.push_back(declare(root + "loads/" + std::string(name), 6));
+    for (int k = 0; k < input.platform_count(); ++k) {
+        const Platform& p = input.platform_at(k);
+        const std::string root = io::platform_path(p);
+        Columns its{.design = p.position,
+                    .position = declare(root + "position", 6),
+                    .velocity = declare(root + "velocity", 6),
+                    .acceleration = declare(root + "acceleration", 6),
+                    .loads = {}};
+        for (const std::string_view name : io::load_names)
+            its.loads.push_back(declare(root + "loads/" + std::string(name), 6));
+        platforms_.push_back(std::move(its));
+    }
     elevation_ = declare("/environment/elevation", 1);
     elevation_of_trains_ = declare("/environment/elevation_of_trains", sea.trains());
     trains_.resize(static_cast<std::size_t>(sea.trains()));
     wind_speed_ = declare("/environment/wind_speed", 1);
     if (const auto& wind = input.environment.wind) {
-        const bool area = input.platform && input.platform->wind;
-        wind_.emplace(*wind, input.analysis.dynamics.ramp,
-                      area ? input.platform->wind->centre_height : wind->reference_height);
+        double height = wind->reference_height;  // else of the first platform that feels it
+        for (int k = input.platform_count() - 1; k >= 0; --k)
+            if (const auto& area = input.platform_at(k).wind) height = area->centre_height;
+        wind_.emplace(*wind, input.analysis.dynamics.ramp, height);
     }
 }
 
@@ -75,12 +83,16 @@ void Recorder::sample(double t) {
     }
 }
 
-void Recorder::platform(const State& y, const Vec6& acceleration, const HullLoads& loads) {
-    put(position_, in_degrees(y.segment<6>(0)));
-    put(velocity_, in_degrees(y.segment<6>(6)));
-    put(acceleration_, in_degrees(acceleration));
-    for (std::size_t i = 0; i < loads_.size(); ++i)
-        if (loads_[i] >= 0) put(loads_[i], i < loads.by.size() ? loads.by[i] : loads.total());
+void Recorder::platform(std::size_t k, const State& y, const Vec6& acceleration,
+                        const HullLoads& loads) {
+    const Columns& its = platforms_[k];
+    Vec6 position = y.segment<6>(0);
+    position.head<3>() -= its.design;
+    put(its.position, in_degrees(position));
+    put(its.velocity, in_degrees(y.segment<6>(6)));
+    put(its.acceleration, in_degrees(acceleration));
+    for (std::size_t i = 0; i < its.loads.size(); ++i)
+        if (its.loads[i] >= 0) put(its.loads[i], i < loads.by.size() ? loads.by[i] : loads.total());
 }
 
 }  // namespace hawser::master

@@ -1,4 +1,4 @@
-// The platform's part of the results: what rank 0 puts into the series file at a sample.
+// The platforms' part of the results: what rank 0 puts into the series file at a sample.
 #pragma once
 
 #include <optional>
@@ -25,13 +25,19 @@ class Recorder {
 
     /// Opens a sample and puts what belongs to the environment.
     void sample(double t);
-    /// Puts the platform's state, its acceleration (second derivatives of the six motions) and its
-    /// loads into the sample that is open.
-    void platform(const State& y, const Vec6& acceleration, const HullLoads& loads);
+    /// Puts the state of platform k, its acceleration (second derivatives of the six motions) and
+    /// its loads into the sample that is open. Surge and sway count from its design position.
+    void platform(std::size_t k, const State& y, const Vec6& acceleration, const HullLoads& loads);
     /// Opens a snapshot; the lines put their nodes.
     void snapshot(double t) { results_.add_time(io::Clock::snapshot, t); }
 
  private:
+    /// Fields of one platform; -1: not recorded.
+    struct Columns {
+        Vec3 design;
+        int position, velocity, acceleration;
+        std::vector<int> loads;
+    };
     int declare(const std::string& path, int columns);
     void put(int field, const Vec6& values);
 
@@ -39,9 +45,9 @@ class Recorder {
     io::SeriesWriter& results_;
     std::optional<WindField> wind_;
     int sample_every_, snapshot_every_;
-    int position_, velocity_, acceleration_, elevation_, elevation_of_trains_, wind_speed_;
+    std::vector<Columns> platforms_;
+    int elevation_, elevation_of_trains_, wind_speed_;
     std::vector<double> trains_;  ///< elevation of each
-    std::vector<int> loads_;
 };
 
 }  // namespace hawser::master

@@ -1,9 +1,9 @@
 // Rank 0's part of a run, beside run_worker: the two go through the same agreements in step.
 #include <memory>
-#include <optional>
+#include <vector>
 
 #include "complain.hpp"
-#include "io/hydro_file.hpp"
+#include "hulls.hpp"
 #include "io/rank_times.hpp"
 #include "io/run_folder.hpp"
 #include "simulation.hpp"
@@ -28,21 +28,16 @@ ExitCode attempt(const io::Link& link, Work&& work) {
 }  // namespace
 
 ExitCode run_master(const Case& input, const RunRequest& request, io::Link& link) {
-    std::optional<HydroData> hydro;
-    std::unique_ptr<master::Hull> hull;
+    std::vector<master::Hull> hulls;
     ExitCode code = attempt(link, [&] {
-        if (input.platform) {
-            if (const auto& database = input.platform->hydrodynamics.database)
-                hydro = io::read_hydro(*database, input.environment);
-            hull = std::make_unique<master::Hull>(input, hydro ? &*hydro : nullptr);
-        }
+        hulls = master::hulls_of(input);
         io::prepare_run_folder(request.folder, request.force);
     });
     if (code != ExitCode::done) return code;
 
     std::unique_ptr<master::Simulation> simulation;
     code = attempt(link, [&] {
-        simulation = std::make_unique<master::Simulation>(input, request, link, hull.get());
+        simulation = std::make_unique<master::Simulation>(input, request, link, hulls);
     });
     return code == ExitCode::done ? simulation->run() : code;
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "equilibrium.hpp"
 #include "failure_message.hpp"
@@ -20,11 +21,12 @@ namespace {
 constexpr double segment_seconds = 20.0;  // ... and wall clock
 }  // namespace
 
-Simulation::Simulation(const Case& input, const RunRequest& request, io::Link& link, Hull* hull)
+Simulation::Simulation(const Case& input, const RunRequest& request, io::Link& link,
+                       std::vector<Hull>& hulls)
     : input_(input),
       request_(request),
       link_(link),
-      hull_(hull),
+      hulls_(hulls),
       D_(input.analysis.dynamics.platform_step),
       n_steps_(static_cast<int>(std::ceil(input.analysis.dynamics.duration / D_ - 1e-9))),
       sea_(input.environment, input.analysis.dynamics.ramp, 0.0),
@@ -32,17 +34,19 @@ Simulation::Simulation(const Case& input, const RunRequest& request, io::Link& l
       recorder_(input, sea_, results_),
       computed_(make_lines()),
       lines_(*computed_, results_),
-      ledger_(input),
       report_(request),
       stop_(request),
       progress_(request.quiet ? ProgressStyle::none : request.progress, link.alone()) {
+    for (int k = 0; k < input.platform_count(); ++k) ledgers_.emplace_back(input, k);
     results_.reserve(io::segment_samples, io::segment_samples);
     report_.running(0.0, 0.0);
 }
 
 std::unique_ptr<Lines> Simulation::make_lines() {
     if (!link_.alone()) {
-        auto remote = std::make_unique<RemoteLines>(link_, lines_of_ranks(input_, link_.size()));
+        auto remote =
+            std::make_unique<RemoteLines>(link_, lines_of_ranks(input_, link_.size()),
+                                          input_.platform_count(), touched_platforms(input_));
         remote_ = remote.get();
         return remote;
     }
@@ -54,7 +58,7 @@ std::unique_ptr<Lines> Simulation::make_lines() {
 
 ExitCode Simulation::run() {
     try {
-        if (hull_ != nullptr)
+        if (!hulls_.empty())
             coupled();
         else
             lines_alone();
@@ -69,46 +73,66 @@ ExitCode Simulation::run() {
 }
 
 void Simulation::coupled() {
-    const StaticStart start = static_start(input_, *hull_, lines_);
+    const StaticStart start = static_start(input_, hulls_, lines_);
     for (const std::string& note : start.notes) report_.warn(note);
-    keep_statics(&start.equilibrium, start.at_rest);
-    keep_platform_facts(start);
-    PaperRate<Hull> rate(*hull_, lines_, start.lines);
-    rate.watch([&](int stage, double t, const State& s) {
-        ledger_.add(stage, t, rate.loads(), rate.reply(), hull_->momentum(s),
-                    motion_of(s).velocity);
+    keep_statics(start.equilibrium, start.at_rest);
+    std::vector<const Hull*> platforms;
+    for (std::size_t k = 0; k < hulls_.size(); ++k) {
+        platform_facts_.push_back(platform_facts(k, start));
+        platforms.push_back(&hulls_[k]);
+    }
+    PaperRate<Hull, JointState> rate(platforms, lines_, start.lines);
+    rate.watch([&](int stage, double t, const JointState& y) {
+        for (std::size_t k = 0; k < hulls_.size(); ++k) {
+            const State s = state_of(y, static_cast<int>(k));
+            ledgers_[k].add(stage, t, rate.loads(k), rate.reply(), hulls_[k].momentum(s),
+                            motion_of(s).velocity);
+        }
     });
     clock_.start(waited());
-    paper_loop(rate, hull_->start(start.equilibrium, start.start), D_,
-               [&](int step, double t, const State& y) {
-                   const PlatformMotion motion = motion_of(y);
-                   hull_->remember(t, y, rate.acceleration());
-                   if (recorder_.sample_due(step)) {
-                       recorder_.sample(t);
-                       recorder_.platform(y, rate.acceleration(), rate.loads());
-                   }
-                   return go_on(step, t, rate.next(), &motion, rate.reply());
-               });
+    paper_loop(rate, first_state(start), D_, [&](int step, double t, const JointState& y) {
+        keep_step(step, t, y, rate);
+        return go_on(step, t, rate.next(), poses_of(y), rate.reply());
+    });
 }
 
 void Simulation::lines_alone() {
-    const auto describe = [&](const Status& s, const PlatformMotion& pose) {
-        return failure_message(s, input_, 0, pose);
+    const auto describe = [&](const Status& s, const Poses& poses) {
+        return failure_message(s, input_, 0, poses);
     };
-    const Reply start =
-        lines_at(lines_, PlatformMotion{}, input_.analysis.statics.current, describe);
-    keep_statics(nullptr, start);
+    const Reply start = lines_at(lines_, {}, input_.analysis.statics.current, describe);
+    keep_statics({}, start);
     Order next;
     clock_.start(waited());
     lines_loop(lines_, start, next, D_, [&](int step, double t, const Reply& reply) {
         if (recorder_.sample_due(step)) recorder_.sample(t);
-        return go_on(step, t, next, nullptr, reply);
+        return go_on(step, t, next, {}, reply);
     });
 }
 
-void Simulation::keep_statics(const PlatformMotion* platform, const Reply& lines) {
+JointState Simulation::first_state(const StaticStart& start) const {
+    JointState y(static_cast<Eigen::Index>(hulls_.size()) * state_numbers);
+    for (std::size_t k = 0; k < hulls_.size(); ++k)
+        y.segment<state_numbers>(static_cast<Eigen::Index>(k) * state_numbers) =
+            hulls_[k].start(start.equilibrium[k], start.start[k]);
+    return y;
+}
+
+void Simulation::keep_step(int step, double t, const JointState& y,
+                           const PaperRate<Hull, JointState>& rate) {
+    const bool sample = recorder_.sample_due(step);
+    if (sample) recorder_.sample(t);
+    for (std::size_t k = 0; k < hulls_.size(); ++k) {
+        const State its = state_of(y, static_cast<int>(k));
+        hulls_[k].remember(t, its, rate.acceleration(k));
+        if (sample) recorder_.platform(k, its, rate.acceleration(k), rate.loads(k));
+    }
+}
+
+void Simulation::keep_statics(const Poses& platforms, const Reply& lines) {
     statics_.emplace();
-    if (platform != nullptr) statics_->platforms = {*platform};
+    statics_->platforms.assign(platforms.begin(),
+                               platforms.begin() + static_cast<long>(hulls_.size()));
     for (const LineLoad& line : lines.lines) statics_->end_a_tension.push_back(line.end_tension);
     report_.log("static start found");
     last_segment_ = wall_seconds();
@@ -129,46 +153,46 @@ void Simulation::keep_impulses(const Reply& lines) {
     }
 }
 
-void Simulation::keep_platform_facts(const StaticStart& start) {
-    platform_facts_ = {{"mass", "kg", "mass of the platform", hull_->mass()},
-                       {"acting_buoyancy", "N", "buoyancy at the design draft in still water",
-                        hull_->acting_buoyancy()}};
+std::vector<io::Fact> Simulation::platform_facts(std::size_t k, const StaticStart& start) const {
+    const Hull& hull = hulls_[k];
+    std::vector<io::Fact> facts = {
+        {"mass", "kg", "mass of the platform", hull.mass()},
+        {"acting_buoyancy", "N", "buoyancy at the design draft in still water",
+         hull.acting_buoyancy()}};
     if (!input_.lines.empty())
-        platform_facts_.push_back({"vertical_line_load", "N",
-                                   "pull of the lines at the design position",
-                                   start.vertical_line_load});
-    const Stability& stands = start.stability;
-    if (hull_->acting_buoyancy() > 0.0) {
-        platform_facts_.push_back({"hull_GM_roll", "m",
-                                   "GM of the hull alone (weight and buoyancy), roll",
-                                   stands.hull_GM_roll});
-        platform_facts_.push_back({"hull_GM_pitch", "m",
-                                   "GM of the hull alone (weight and buoyancy), pitch",
-                                   stands.hull_GM_pitch});
+        facts.push_back({"vertical_line_load", "N", "pull of the lines at the design position",
+                         start.vertical_line_load[k]});
+    const Stability& stands = start.stability[k];
+    if (hull.acting_buoyancy() > 0.0) {
+        facts.push_back({"hull_GM_roll", "m", "GM of the hull alone (weight and buoyancy), roll",
+                         stands.hull_GM_roll});
+        facts.push_back({"hull_GM_pitch", "m", "GM of the hull alone (weight and buoyancy), pitch",
+                         stands.hull_GM_pitch});
     }
-    const double frequency = hull_->radiation().frequency;
+    const double frequency = hull.radiation().frequency;
     if (frequency > 0.0)
-        platform_facts_.push_back({"added_mass_frequency", "rad/s",
-                                   "constant added mass and damping taken at", frequency});
-    const MemoryFit& memory = hull_->memory();
+        facts.push_back({"added_mass_frequency", "rad/s",
+                         "constant added mass and damping taken at", frequency});
+    const MemoryFit& memory = hull.memory();
     if (!memory.oscillators.empty()) {
-        platform_facts_.push_back({"memory_oscillators", "1",
-                                   "oscillators that hold the memory of radiation",
-                                   static_cast<double>(memory.oscillators.size())});
-        platform_facts_.push_back({"memory_error", "1",
-                                   "rms error of their fit to the database, part of its rms",
-                                   memory.rms_error});
+        facts.push_back({"memory_oscillators", "1", "oscillators that hold the memory of radiation",
+                         static_cast<double>(memory.oscillators.size())});
+        facts.push_back({"memory_error", "1",
+                         "rms error of their fit to the database, part of its rms",
+                         memory.rms_error});
     }
     const char* with = input_.lines.empty() ? "" : ", lines with their inertia";
     for (const CoupledMode& mode : start.modes) {
+        if (mode.platform != static_cast<int>(k)) continue;
         const std::string motion = motion_names[static_cast<std::size_t>(mode.motion)];
         if (const auto period = mode.period())
-            platform_facts_.push_back(
+            facts.push_back(
                 {"period_" + motion, "s", "natural period in " + motion + with, *period});
     }
+    return facts;
 }
 
-bool Simulation::go_on(int step, double t, Order& next, const PlatformMotion* platform,
+bool Simulation::go_on(int step, double t, Order& next, const Poses& platforms,
                        const Reply& lines) {
     t_ = t;
     next.sample = recorder_.sample_due(step);
@@ -183,13 +207,13 @@ bool Simulation::go_on(int step, double t, Order& next, const PlatformMotion* pl
     }
     next.write_segment =
         results_.pending() >= io::segment_samples || now - last_segment_ >= segment_seconds;
-    progress_.show(t, n_steps_ * D_, platform, lines, input_);
+    progress_.show(t, n_steps_ * D_, std::span(platforms).first(hulls_.size()), lines, input_);
 
     const bool finished = step == n_steps_;
     stopped_ = !finished && stop_.made();
     if (finished || stopped_) {
         last_ = next;
-        if (platform != nullptr) keep_impulses(lines);
+        if (!hulls_.empty()) keep_impulses(lines);
     }
     return !finished && !stopped_;
 }

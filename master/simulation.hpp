@@ -12,6 +12,7 @@
 #include "io/link.hpp"
 #include "io/result_file.hpp"
 #include "loop_clock.hpp"
+#include "paper_rate.hpp"
 #include "platform_ledger.hpp"
 #include "progress.hpp"
 #include "recorded_lines.hpp"
@@ -25,8 +26,9 @@ namespace hawser::master {
 
 class Simulation {
  public:
-    /// @param hull  null: lines alone
-    Simulation(const Case& input, const RunRequest& request, io::Link& link, Hull* hull);
+    /// @param hulls  the platforms of the case, in its order; empty: lines alone
+    Simulation(const Case& input, const RunRequest& request, io::Link& link,
+               std::vector<Hull>& hulls);
 
     /// The whole run. Whatever happens in it, every rank is told to stop and the result is closed.
     ExitCode run();
@@ -34,13 +36,18 @@ class Simulation {
  private:
     std::unique_ptr<Lines> make_lines();
 
-    void coupled();      ///< platform and lines, P:3
+    void coupled();      ///< platforms and lines, P:3
     void lines_alone();  ///< no platform
-    void keep_statics(const PlatformMotion* platform, const Reply& lines);
+    void keep_statics(const Poses& platforms, const Reply& lines);
     void keep_impulses(const Reply& lines);
-    void keep_platform_facts(const StaticStart& start);
+    [[nodiscard]] std::vector<io::Fact> platform_facts(std::size_t k,
+                                                       const StaticStart& start) const;
+    [[nodiscard]] JointState first_state(const StaticStart& start) const;
+    /// The state at t is final, and what led to it.
+    void keep_step(int step, double t, const JointState& y,
+                   const PaperRate<Hull, JointState>& rate);
     /// Once a step: what the next order carries, what people see, and whether there is one.
-    bool go_on(int step, double t, Order& next, const PlatformMotion* platform, const Reply& lines);
+    bool go_on(int step, double t, Order& next, const Poses& platforms, const Reply& lines);
 
     // simulation_end.cpp
     /// All ranks write what they hold; the result is closed, whole or not; all learn the code.
@@ -54,7 +61,7 @@ class Simulation {
     const Case& input_;
     const RunRequest& request_;
     io::Link& link_;
-    Hull* hull_;
+    std::vector<Hull>& hulls_;
     double D_;
     int n_steps_;
     Sea sea_;
@@ -63,13 +70,13 @@ class Simulation {
     RemoteLines* remote_ = nullptr;
     std::unique_ptr<Lines> computed_;
     RecordedLines lines_;
-    PlatformLedger ledger_;
+    std::vector<PlatformLedger> ledgers_;
     RunReport report_;
     StopRequest stop_;
     Progress progress_;
     LoopClock clock_;
     std::optional<io::StaticState> statics_;
-    std::vector<io::Fact> platform_facts_;
+    std::vector<std::vector<io::Fact>> platform_facts_;
     std::vector<io::ImpulseMismatch> impulses_;
     Order last_;  ///< the order that ends the run, with the flags of the last step
     double t_ = 0.0;

@@ -65,10 +65,9 @@ io::RunRecord Simulation::record(ExitCode code, const std::string& message,
     r.statics = statics_;
     r.adjustments = request_.adjustments;
     r.impulses = impulses_;
-    if (hull_ != nullptr) {
-        if (ledger_.started()) r.ledgers = {ledger_.table()};
-        if (!platform_facts_.empty()) r.platforms = {platform_facts_};
-    }
+    for (const PlatformLedger& ledger : ledgers_)
+        if (ledger.started()) r.ledgers.push_back(ledger.table());
+    r.platforms = platform_facts_;
     r.performance = performance_facts(times, t_, lines_.orders());
     return r;
 }

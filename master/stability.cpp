@@ -25,33 +25,37 @@ std::string joined(const std::vector<std::string>& words) {
 double hull_GM(const Hull& hull, int axis, double gravity) {
     const double buoyancy = hull.acting_buoyancy();
     if (buoyancy <= 0.0) return 0.0;
-    const Mat6 K = hull.static_stiffness(PlatformMotion{}, no_mean_loads);
+    const Mat6 K = hull.static_stiffness(hull.design(), no_mean_loads);
     const double z_G = hull.body().centre_of_gravity.z();
     return (K(3 + axis, 3 + axis) + hull.mass() * gravity * z_G) / buoyancy - z_G;
 }
 
-Stability stability_of(const Hull& hull, double gravity, const Mat6& K, double length) {
-    Stability out;
-    const double buoyancy = hull.acting_buoyancy();
-    out.hull_GM_roll = hull_GM(hull, 0, gravity);
-    out.hull_GM_pitch = hull_GM(hull, 1, gravity);
-    if (buoyancy > 0.0) {
-        out.GM_roll = K(3, 3) / buoyancy;
-        out.GM_pitch = K(4, 4) / buoyancy;
+std::vector<Stability> stability_of(const std::vector<Hull>& hulls, double gravity,
+                                    const Eigen::MatrixXd& K,
+                                    const std::vector<StaticPlatform>& at_rest) {
+    std::vector<Stability> out(hulls.size());
+    for (std::size_t k = 0; k < hulls.size(); ++k) {
+        const double buoyancy = hulls[k].acting_buoyancy();
+        out[k].hull_GM_roll = hull_GM(hulls[k], 0, gravity);
+        out[k].hull_GM_pitch = hull_GM(hulls[k], 1, gravity);
+        if (buoyancy <= 0.0) continue;
+        out[k].GM_roll = K(row_of(k) + 3, row_of(k) + 3) / buoyancy;
+        out[k].GM_pitch = K(row_of(k) + 4, row_of(k) + 4) / buoyancy;
     }
-    Vec6 scale = Vec6::Ones();
-    scale.tail<3>().setConstant(1.0 / length);
-    const Mat6 scaled = scale.asDiagonal() * (0.5 * (K + K.transpose())) * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Mat6> modes(scaled);
+    const Eigen::VectorXd scale = scales_of(at_rest);
+    const Eigen::MatrixXd scaled =
+        scale.asDiagonal() * (0.5 * (K + K.transpose())) * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaled);
     const double least = 1e-9 * modes.eigenvalues().cwiseAbs().maxCoeff();
-    for (int i = 0; i < 6; ++i) {
-        int motion = 0;
-        modes.eigenvectors().col(i).cwiseAbs().maxCoeff(&motion);
-        const char* name = motion_names[static_cast<std::size_t>(motion)];
+    for (Eigen::Index i = 0; i < K.rows(); ++i) {
+        Eigen::Index row = 0;
+        modes.eigenvectors().col(i).cwiseAbs().maxCoeff(&row);
+        Stability& its = out[static_cast<std::size_t>(row / 6)];
+        const char* name = motion_names[static_cast<std::size_t>(row % 6)];
         if (modes.eigenvalues()[i] < -least)
-            out.unstable.emplace_back(name);
+            its.unstable.emplace_back(name);
         else if (modes.eigenvalues()[i] <= least)
-            out.unheld.emplace_back(name);
+            its.unheld.emplace_back(name);
     }
     return out;
 }

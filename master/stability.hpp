@@ -1,7 +1,10 @@
 // Metacentric heights and the signs of the stiffness: does the platform stand?
 #pragma once
 
+#include <vector>
+
 #include "hull.hpp"
+#include "joint_equilibrium.hpp"
 #include "statics_report.hpp"
 
 namespace hawser::master {
@@ -13,10 +16,15 @@ namespace hawser::master {
 /// with the hull's own stiffness about O in that direction. Zero without buoyancy.
 double hull_GM(const Hull& hull, int axis, double gravity);
 
-/// @param K  stiffness of platform and lines about O at the equilibrium
-/// @param length  lever that makes rotations lengths [m]
+/// Of each platform: heights with its own part of K, the others held; motions without or with
+/// negative stiffness of all together, each with the platform that has the greatest part in it.
+/// @param K        stiffness of platforms and lines about each O at the equilibrium, 6 rows and
+///                 columns per platform
+/// @param at_rest  the platforms, for their scales
 /// A direction counts as without stiffness below 1e-9 of the stiffest, as in the equilibrium.
-Stability stability_of(const Hull& hull, double gravity, const Mat6& K, double length);
+std::vector<Stability> stability_of(const std::vector<Hull>& hulls, double gravity,
+                                    const Eigen::MatrixXd& K,
+                                    const std::vector<StaticPlatform>& at_rest);
 
 /// One sentence for each thing that should worry; empty if it stands.
 std::vector<std::string> stability_warnings(const Stability& stability, const std::string& name);

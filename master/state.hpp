@@ -33,6 +33,14 @@ inline State state_of(const JointState& s, int k) {
     return s.segment<state_numbers>(static_cast<Eigen::Index>(k) * state_numbers);
 }
 
+/// P:1  The motions of all platforms.
+inline PerPlatform<PlatformMotion> poses_of(const JointState& s) {
+    PerPlatform<PlatformMotion> out;
+    for (int k = 0; k * state_numbers < s.size(); ++k)
+        out[static_cast<std::size_t>(k)] = motion_of(state_of(s, k));
+    return out;
+}
+
 /// Puts a motion into the first 12 numbers; the filter is left as it is.
 inline void set_motion(State& s, const PlatformMotion& m) {
     s.segment<3>(0) = m.position;

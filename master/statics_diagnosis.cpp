@@ -16,8 +16,9 @@ const LineType& type_of(const Section& section, const Case& input) {
     return input.line_types[static_cast<std::size_t>(section.type)];
 }
 
-Vec3 place_of(const LineEnd& end, const PlatformMotion& pose) {
+Vec3 place_of(const LineEnd& end, const PerPlatform<PlatformMotion>& poses) {
     if (end.kind != EndKind::platform) return end.position;
+    const PlatformMotion& pose = poses[static_cast<std::size_t>(end.platform)];
     return pose.position + rotation(pose.angles) * end.position;
 }
 
@@ -87,10 +88,29 @@ std::optional<std::string> floating_part(const Line& line, const Case& input) {
     return std::nullopt;
 }
 
+/// A platform of the line that left its place before the line failed.
+std::optional<std::string> strayed_platform(const Line& line, const Case& input,
+                                            const PerPlatform<PlatformMotion>& poses) {
+    for (const LineEnd* end : {&line.end_a, &line.end_b}) {
+        if (end->kind != EndKind::platform) continue;
+        const PlatformMotion& pose = poses[static_cast<std::size_t>(end->platform)];
+        const double away = (pose.position - input.design_of(end->platform).position).norm();
+        const double turned = pose.angles.norm();
+        if (away <= 0.05 * input.environment.seabed.depth && turned <= 0.2) continue;
+        return fmt::format(
+            "{} had gone {:.3g} m and turned {:.3g} deg from its design position: "
+            "look at its balance first, at mass, stiffness and the pull of all lines",
+            input.platform_count() > 1 ? input.platform_at(end->platform).name : "the platform",
+            away, turned * 180.0 / M_PI);
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
-std::string static_failure_cause(const Line& line, const Case& input, const PlatformMotion& pose) {
-    const Vec3 a = place_of(line.end_a, pose), b = place_of(line.end_b, pose);
+std::string static_failure_cause(const Line& line, const Case& input,
+                                 const PerPlatform<PlatformMotion>& poses) {
+    const Vec3 a = place_of(line.end_a, poses), b = place_of(line.end_b, poses);
     const double length = line.length();
     if (auto cause = unreasonable_stiffness(line, input)) return *cause;
     const auto stands = [](const LineEnd& end) {
@@ -151,13 +171,7 @@ std::string static_failure_cause(const Line& line, const Case& input, const Plat
                 "line",
                 length, water);
     }
-    const double away = pose.position.norm(), turned = pose.angles.norm();
-    if (line.end_a.kind == EndKind::platform || line.end_b.kind == EndKind::platform)
-        if (away > 0.05 * input.environment.seabed.depth || turned > 0.2)
-            return fmt::format(
-                "the platform had gone {:.3g} m and turned {:.3g} deg from its design position: "
-                "look at its balance first, at mass, stiffness and the pull of all lines",
-                away, turned * 180.0 / M_PI);
+    if (auto cause = strayed_platform(line, input, poses)) return *cause;
     int elements = 0;
     for (const Section& s : line.sections) elements += s.elements;
     if (elements < 10)

@@ -95,6 +95,11 @@ void add_statics(CLI::App& app, Options& options, CommandLine& line) {
         ->type_name("DEG")
         ->needs(offset);
     statics
+        .add_option("--platform", line.statics.platform,
+                    "Of several platforms the one that is moved (default the first)")
+        ->type_name("NAME")
+        ->needs(offset);
+    statics
         .add_option("--lines", line.statics.lines,
                     "Lines that the curve sums, e.g. \"ml*\" (default all)")
         ->type_name("GLOB")

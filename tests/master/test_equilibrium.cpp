@@ -58,7 +58,7 @@ class GroundSprings final : public Lines {
     Reply reply_;
 };
 
-std::string describe(const Status& status, const PlatformMotion&) {
+std::string describe(const Status& status, const Poses&) {
     return "line " + std::to_string(status.line);
 }
 

@@ -220,14 +220,14 @@ TEST(HeldMotions, TheEquilibriumMovesOnlyWhatIsFree) {
     p.fixed = {true, true, false, false, true, true};
     p.initial.position = {4, 0, 0.7};
     p.initial.angles = {0, 0.25, 0};
-    Hull hull(c, nullptr);
+    std::vector<Hull> hulls{Hull(c, nullptr)};
     NoLines lines;
-    const StaticStart start = static_start(c, hull, lines);
-    EXPECT_EQ(start.equilibrium.position.x(), 4.0);
-    EXPECT_EQ(start.equilibrium.angles.y(), 0.25);
-    EXPECT_NEAR(start.equilibrium.position.z(), -2e6 * g / 4e6, 1e-5);  // floats on its spring
-    EXPECT_NEAR(start.start.position.z() - start.equilibrium.position.z(), 0.7, 1e-12);
-    EXPECT_EQ(start.start.angles.y(), 0.25);
+    const StaticStart start = static_start(c, hulls, lines);
+    EXPECT_EQ(start.equilibrium[0].position.x(), 4.0);
+    EXPECT_EQ(start.equilibrium[0].angles.y(), 0.25);
+    EXPECT_NEAR(start.equilibrium[0].position.z(), -2e6 * g / 4e6, 1e-5);  // floats on its spring
+    EXPECT_NEAR(start.start[0].position.z() - start.equilibrium[0].position.z(), 0.7, 1e-12);
+    EXPECT_EQ(start.start[0].angles.y(), 0.25);
     EXPECT_TRUE(start.modes[0].held);
     EXPECT_TRUE(start.modes[4].held);
     EXPECT_FALSE(start.modes[2].held);

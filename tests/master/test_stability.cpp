@@ -7,6 +7,11 @@
 namespace hawser::master {
 namespace {
 
+/// Of one platform with rotations that count on a lever of 80 m.
+Stability stability_with(const Hull& hull, const Mat6& K) {
+    return stability_of({hull}, 9.80665, K, {{.length = 80.0}}).front();
+}
+
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -28,7 +33,7 @@ TEST(Stability, NamesTheMotionsWithNegativeAndWithoutStiffness) {
     const Hull hull(spar_case(), &spar_data());
     Vec6 k;
     k << 0, 1e5, 1e7, 1e10, -1e10, 1e8;
-    const Stability s = stability_of(hull, 9.80665, Mat6(k.asDiagonal()), 80.0);
+    const Stability s = stability_with(hull, k.asDiagonal());
     EXPECT_FALSE(s.stable());
     EXPECT_THAT(s.unstable, ElementsAre("pitch"));
     EXPECT_THAT(s.unheld, ElementsAre("surge"));
@@ -39,8 +44,8 @@ TEST(Stability, NamesTheMotionsWithNegativeAndWithoutStiffness) {
     diagonal << 1e5, 1e5, 1e7, 1e10, 1e10, 1e8;
     Mat6 coupled = diagonal.asDiagonal();
     coupled(0, 4) = coupled(4, 0) = 5e7;
-    EXPECT_FALSE(stability_of(hull, 9.80665, coupled, 80.0).stable());
-    EXPECT_TRUE(stability_of(hull, 9.80665, Mat6(k.cwiseAbs().asDiagonal()), 80.0).stable());
+    EXPECT_FALSE(stability_with(hull, coupled).stable());
+    EXPECT_TRUE(stability_with(hull, k.cwiseAbs().asDiagonal()).stable());
 }
 
 TEST(Stability, OfAHullThatOnlyItsLinesKeepUprightIsToldAsSuch) {
@@ -50,11 +55,11 @@ TEST(Stability, OfAHullThatOnlyItsLinesKeepUprightIsToldAsSuch) {
     Vec6 diagonal;
     diagonal << 1e5, 1e5, 1e8, 1e9, 1e9, 1e8;
     const Mat6 held = diagonal.asDiagonal();
-    const auto warnings = stability_warnings(stability_of(hull, 9.80665, held, 80.0), "tlp");
+    const auto warnings = stability_warnings(stability_with(hull, held), "tlp");
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_THAT(warnings.front(), HasSubstr("only the lines keep it upright"));
     const Hull sound(spar_case(), &spar_data());
-    EXPECT_THAT(stability_warnings(stability_of(sound, 9.80665, held, 80.0), "spar"), IsEmpty());
+    EXPECT_THAT(stability_warnings(stability_with(sound, held), "spar"), IsEmpty());
 }
 
 }  // namespace

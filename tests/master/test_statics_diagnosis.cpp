@@ -30,7 +30,7 @@ Case moored() {
 }
 
 std::string cause(const Case& c, const PlatformMotion& pose = {}) {
-    return static_failure_cause(c.lines[0], c, pose);
+    return static_failure_cause(c.lines[0], c, {pose});
 }
 
 TEST(StaticFailure, SaysThatTheAnchorIsOutOfReach) {

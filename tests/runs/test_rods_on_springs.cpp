@@ -53,7 +53,7 @@ Finished run(double D, int steps, double rod_step, ForceFit force = ForceFit::in
     test::Body body;
     body.masses << 1e5, 1e5, 1e5, 1e7, 1e7, 1e7;
     const Reply start =
-        master::lines_at(lines, {}, false, [](const Status&, const PlatformMotion&) { return ""; });
+        master::lines_at(lines, {}, false, [](const Status&, const master::Poses&) { return ""; });
     const Vec6 balance = master::total_wrench(start);
     body.force = [balance](double t) {  // brought in smoothly: the rods start at rest
         const Vec6 push = 4e4 * (Vec6() << 1, 0, -0.6, 0, 8, 0).finished();
@@ -182,7 +182,7 @@ TEST(PaperLoopWithRods, StaysAsStableWithTheImpulseMatched) {  // R:48
         test::Body body;
         body.masses << 1e4, 1e4, 1e4, 1e6, 1e6, 1e6;
         const Reply start = master::lines_at(
-            lines, {}, false, [](const Status&, const PlatformMotion&) { return ""; });
+            lines, {}, false, [](const Status&, const master::Poses&) { return ""; });
         const Vec6 balance = master::total_wrench(start);
         body.force = [balance](double) { return Vec6(-balance); };
         State y = State::Zero();

@@ -133,6 +133,7 @@ Json curve_json(const Case& input, const OffsetCurve& curve) {
         points.add(std::move(one));
     }
     Json out = Json::object();
+    if (input.platform_count() > 1) out.put("platform", input.platform_at(curve.platform).name);
     out.put("heading", degrees * curve.heading)
         .put("lines", std::move(names))
         .put("free", std::move(free))
@@ -155,6 +156,14 @@ Json statics_json(const Case& input, const StaticsReport& report) {
         Json all = Json::array();
         for (std::size_t k = 0; k < report.platforms.size(); ++k) all.add(platform(k));
         out.put("platforms", std::move(all));
+        Json rows = Json::array();
+        for (Eigen::Index i = 0; i < report.stiffness.rows(); ++i) {
+            Json row = Json::array();
+            for (Eigen::Index k = 0; k < report.stiffness.cols(); ++k)
+                row.add(report.stiffness(i, k));
+            rows.add(std::move(row));
+        }
+        out.put("stiffness", std::move(rows));
     }
     Json lines = Json::array();
     for (std::size_t i = 0; i < input.lines.size(); ++i)

@@ -98,7 +98,7 @@ std::string platform_text(const Case& input, const Platform& its, const Platform
 }
 
 std::string stiffness_text(const std::string& name, const Mat6& K) {
-    std::string out = title(name + " about the reference point: -d(load)/d(motion)");
+    std::string out = title(name + ": -d(load)/d(motion)");
     TextTable table;
     table.column("force, moment along");
     for (std::size_t i = 0; i < 6; ++i) table.column(motion_names[i], i < 3 ? "per m" : "per rad");
@@ -112,6 +112,24 @@ std::string stiffness_text(const std::string& name, const Mat6& K) {
         table.row(cells);
     }
     return out + table.text();
+}
+
+/// What lines between platforms do to one when another moves.
+std::string between_text(const StaticsReport& report) {
+    std::string out;
+    for (std::size_t i = 0; i < report.platforms.size(); ++i)
+        for (std::size_t k = 0; k < report.platforms.size(); ++k) {
+            const auto row = static_cast<Eigen::Index>(6 * i),
+                       column = static_cast<Eigen::Index>(6 * k);
+            if (i == k || row >= report.stiffness.rows() || column >= report.stiffness.cols())
+                continue;
+            const Mat6 part = report.stiffness.block<6, 6>(row, column);
+            if (part.isZero(0.0)) continue;
+            out += stiffness_text(fmt::format("Load on {} by motions of {}",
+                                              report.platforms[i].name, report.platforms[k].name),
+                                  part);
+        }
+    return out;
 }
 
 std::string lines_text(const Case& input, const StaticsReport& report, bool brief) {
@@ -253,14 +271,18 @@ std::string motions_of(const FreeMotions& f, bool free) {
 
 std::string curve_text(const Case& input, const OffsetCurve& curve) {
     const FreeMotions& f = curve.free;
+    const bool several = input.platform_count() > 1, all = curve.lines.size() == input.lines.size();
     std::string out =
-        title(fmt::format("Restoring towards {:g} deg, {} of {} lines, still water",
+        title(fmt::format("Restoring{} towards {:g} deg, {} of {} lines, still water",
+                          several ? " of " + input.platform_at(curve.platform).name : "",
                           degrees * curve.heading, curve.lines.size(), input.lines.size()));
     const std::string held = motions_of(f, false);
     out += held.empty() ? "" : "held as designed: " + held + ". ";
     out += f.any() ? "free, settled under weight, buoyancy and all lines: " + motions_of(f, true)
                    : "nothing is free";
     out += " (change with --free)\n";
+    if (several)
+        out += all ? "the other platforms settle too\n" : "the other platforms stay as designed\n";
     TextTable table;
     table.column("offset", "m");
     table.column("restoring", "kN");
@@ -314,12 +336,15 @@ std::string statics_text(const Case& input, const StaticsReport& report) {
     const bool several = report.platforms.size() > 1;
     for (std::size_t k = 0; k < report.platforms.size(); ++k) {
         const PlatformAtRest& p = report.platforms[k];
-        const std::string of = several ? " on " + p.name + ", the others held" : "";
+        const std::string of =
+            several ? " on " + p.name + ", the others held, about its" : " about the";
+        const std::string about = of + " reference point";
         out += platform_text(input, input.platform_at(static_cast<int>(k)), p);
-        out += stiffness_text("Stiffness of platform and lines" + of, p.stiffness);
+        out += stiffness_text("Stiffness of platform and lines" + about, p.stiffness);
         if (!input.lines.empty())
-            out += stiffness_text("Stiffness of the lines" + of, p.line_stiffness);
+            out += stiffness_text("Stiffness of the lines" + about, p.line_stiffness);
     }
+    out += between_text(report);
     out += lines_text(input, report, false);
     out += stress_text(input, report);
     out += constraints_text(input, report);

@@ -150,6 +150,49 @@ TEST(RunOnRanks, LinesOfAllModelsGiveTheBitsOfARunAlone) {
     ranks().barrier();
 }
 
+TEST(RunOnRanks, LinesBetweenTwoPlatformsGiveTheBitsOfARunAlone) {
+    Case input = test::moored_spar();
+    input.further_platforms = {*input.platform};
+    Platform& second = input.further_platforms[0];
+    second.name = "buoy";
+    second.key_path = "platforms.buoy";
+    second.position = {250.0, 30.0, 0.0};
+    for (const int i : {0, 1, 2}) {  // these moor the second; two more lie between
+        Line& line = input.lines[static_cast<std::size_t>(i)];
+        line.end_a.platform = 1;
+        line.end_b.position += second.position;
+    }
+    for (int i = 0; i < 2; ++i) {
+        Line between = input.lines[3];
+        between.name = "between" + std::to_string(i + 1);
+        between.family = "between";
+        between.end_a.position = {4.0, 3.0 * i, -30.0};
+        between.end_b = {
+            .kind = EndKind::platform, .platform = 1, .position = {-4.0, 3.0 * i, -25.0}};
+        between.sections = {{.type = 0, .length = 270.0, .elements = i == 0 ? 24 : 27}};
+        input.lines.push_back(between);
+    }
+    input.lines.back().model = LineModel::quasi_static;
+    const fs::path together = folder("between"), by_itself = folder("between_alone");
+    io::Link link = ranks().duplicate();
+    ASSERT_EQ(run(input, together, link), ExitCode::done);
+    if (ranks().rank() == 0) {
+        io::Link alone;
+        ASSERT_EQ(run(input, by_itself, alone), ExitCode::done);
+        const io::Hdf5File a = io::Hdf5File::open(together / "result.h5");
+        const io::Hdf5File b = io::Hdf5File::open(by_itself / "result.h5");
+        for (const char* path :
+             {"/platform/spar/position", "/platform/buoy/position", "/platform/spar/loads/lines",
+              "/platform/buoy/loads/lines", "/platform/buoy/loads/members", "/ledger/spar/mean",
+              "/ledger/buoy/mean", "/lines/end_a/effective_tension",
+              "/lines/end_b/effective_tension", "/lines/nodes/position"})
+            expect_same_bits(a, b, path);
+        fs::remove_all(together);
+        fs::remove_all(by_itself);
+    }
+    ranks().barrier();
+}
+
 TEST(RunOnRanks, EveryRankPutsTheSameBitsIntoItsLinesForTheirTargets) {
     Case input = test::moored_spar();
     const double before = input.lines[0].end_b.position.norm();

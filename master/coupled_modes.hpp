@@ -21,7 +21,7 @@ LineStiffness line_stiffness_of(Lines& lines, const Poses& poses, std::size_t pl
 /// positive definite.
 using MassAt = std::function<Eigen::MatrixXd(double omega)>;
 
-/// K:25  Solves [ K + S(w) - w^2 M(w) ] x = 0 for the six modes per platform in which the platforms
+/// K:26  Solves [ K + S(w) - w^2 M(w) ] x = 0 for the six modes per platform in which the platforms
 /// move. From the modes with the lines' static stiffness each frequency is improved by the linear
 /// eigenproblem
 ///

@@ -29,7 +29,7 @@ void add_lines_stiffness(const Reply& lines, Eigen::MatrixXd& K);
 [[nodiscard]] Eigen::MatrixXd free_projection(const std::vector<StaticPlatform>& platforms,
                                               const Poses& poses);
 
-/// Solves load_k(pose_k) + sum of the lines' wrenches on k = 0 for all platforms k together:
+/// K:25  Solves load_k(pose_k) + sum of the lines' wrenches on k = 0 for all platforms k together:
 ///
 ///     (K + sum S) dX = load + sum f,     K = diag(K_1, K_2 ...),     pose_k <- pose_k moved by
 ///     dX_k

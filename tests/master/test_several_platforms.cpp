@@ -145,7 +145,7 @@ class TautSprings final : public Lines {
     Reply reply_;
 };
 
-TEST(JointEquilibrium, TwoPlatformsOnSpringsRestWhereTheClosedFormSays) {
+TEST(JointEquilibrium, TwoPlatformsOnSpringsRestWhereTheClosedFormSays) {  // K:25
     // one a = k (b - a - l) + f1,  two (b - 100) = -k (b - a - l) + f2
     TautSprings lines;
     const double f1 = 1.5, f2 = -0.7;

@@ -224,7 +224,7 @@ double catenary_tension(double w, double L, double span) {
     return low;
 }
 
-TEST(PlatformsTogether, RestWhereACatenaryPullsAgainstTheirSprings) {
+TEST(PlatformsTogether, RestWhereACatenaryPullsAgainstTheirSprings) {  // K:25
     const double k1 = 3e5, k2 = 2e5, m = 120.0, L = 210.0;
     Case c = two_buoys(k1, k2);
     join(c, m, 1e11, L, 40);

@@ -87,10 +87,10 @@ TEST(CaseFile, ResolvedTextGivesTheSameBits) {
         const fs::path copy = fs::path(testing::TempDir()) / (name + ".yml");
         std::ofstream(copy) << first.resolved;
         Overrides place;  // data files stay where they are
-        if (first.value.platform && first.value.platform->hydrodynamics.database) {
-            place = {{"platform.hydrodynamics.database.path",
-                      first.value.platform->hydrodynamics.database->path}};
-        }
+        for (int k = 0; k < first.value.platform_count(); ++k)
+            if (const Platform& p = first.value.platform_at(k); p.hydrodynamics.database)
+                place.emplace_back(p.key_path + ".hydrodynamics.database.path",
+                                   p.hydrodynamics.database->path);
         CaseFile third;
         EXPECT_NO_THROW(third = read_case(copy, place)) << file;
         fs::remove(copy);

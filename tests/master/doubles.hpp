@@ -55,7 +55,8 @@ class SpringLines final : public Lines {
     const Reply& receive() override {
         if (log != nullptr) log->push_back("receive");
         for (size_t i = 0; i < stiffnesses_.size(); ++i) {
-            reply_.lines[i].wrench = -stiffnesses_[i].cwiseProduct(coordinates(orders.back().to[0]));
+            reply_.lines[i].wrench =
+                -stiffnesses_[i].cwiseProduct(coordinates(orders.back().to[0]));
             reply_.lines[i].stiffness = stiffnesses_[i].asDiagonal();
         }
         return reply_;

@@ -16,7 +16,7 @@ import yaml
 BEYOND_A_SCHEMA = {
     "below_the_seabed", "current_profile", "database", "displacement", "flex_without_stiffness",
     "free_end_a", "full_qtf", "guide_out_of_reach", "led_twice", "limp_clamp", "line_model",
-    "loops", "missing_file", "one_point", "short_line", "stiffness_ratio", "tensioned_riser", "times",
+    "lines_of_platforms", "loops", "missing_file", "no_platforms", "one_or_several", "one_point", "short_line", "stiffness_ratio", "tensioned_riser", "times",
     "two_lines_of_one_name", "unknown_names", "unknown_parameter",
 }
 # Read by Python in another way: not at all, with the last of two keys, `<<` carried out, yes as true.

@@ -1,6 +1,6 @@
 // synthetic_main KIND FOLDER SECONDS [BYTES]: a finished run's folder without physics, KIND one of
-// spar, decay, chain. BYTES limits the size of every file, like a disk that fills up. For tests of
-// what comes after a simulation.
+// spar, pair, decay, chain. BYTES limits the size of every file, like a disk that fills up. For
+// tests of what comes after a simulation.
 #include <sys/resource.h>
 
 #include <csignal>
@@ -18,7 +18,8 @@
 int main(int argc, char** argv) {
     using namespace hawser;
     if (argc != 4 && argc != 5) {
-        std::fprintf(stderr, "usage: synthetic_main spar|decay|chain FOLDER SECONDS [BYTES]\n");
+        std::fprintf(stderr,
+                     "usage: synthetic_main spar|pair|decay|chain FOLDER SECONDS [BYTES]\n");
         return 2;
     }
     const std::string kind = argv[1];
@@ -35,6 +36,7 @@ int main(int argc, char** argv) {
     }
     try {
         const Case input = kind == "spar"    ? test::synthetic_spar(seconds)
+                           : kind == "pair"  ? test::synthetic_pair(seconds)
                            : kind == "decay" ? test::synthetic_decay(seconds)
                                              : test::synthetic_chain(seconds);
         if (link.rank() == 0) io::prepare_run_folder(folder, true);

@@ -97,6 +97,17 @@ Case hull_case(double duration) {
 
 }  // namespace
 
+Case synthetic_pair(double duration) {
+    Case c = synthetic_spar(duration);
+    Platform tender;
+    tender.name = "tender";
+    tender.position = {120.0, 60.0, 0.0};
+    tender.members.resize(1);
+    tender.members[0] = {.name = "hull", .from = {0, 0, 15}, .to = {0, 0, -20}, .diameter = 30.0};
+    c.further_platforms = {tender};
+    return c;
+}
+
 Case synthetic_decay(double duration) {
     Case c = hull_case(duration);
     c.title = "Heave decay of a truss spar";
@@ -416,7 +427,11 @@ io::RunRecord synthetic_record(const Case& input, int ranks) {
         ledger.residual = ledger.sum;
         ledger.from = input.analysis.dynamics.statistics_from;
         ledger.to = input.analysis.dynamics.duration;
-        record.ledgers = {ledger};
+        record.ledgers.assign(static_cast<std::size_t>(input.platform_count()), ledger);
+        for (const Platform& p : input.further_platforms) {
+            record.statics->platforms.push_back({.position = p.position + platform_at(input, 0.0)});
+            record.platforms.push_back({{"mass", "t", "mass", 14500.0}});
+        }
     }
     record.performance = {{"wall", "s", "wall time of the time loop", 12.3},
                           {"cpu_per_second", "s/s", "user CPU time per simulated second", 0.06}};

@@ -13,6 +13,8 @@ namespace hawser::test {
 
 /// A spar with twelve mooring lines and four risers in irregular waves, wind and current.
 Case synthetic_spar(double duration);
+/// The same with a second platform beside it, "tender", designed to be at x 120 m, y 60 m.
+Case synthetic_pair(double duration);
 /// The same hull without lines in still water, let go 5 m above its rest.
 Case synthetic_decay(double duration);
 /// One line with a moved end and no platform.

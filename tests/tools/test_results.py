@@ -49,6 +49,9 @@ class Figures(InAFolder):
             "spar": {"motions", "environment", "tensions", "offset", "system", "ledger",
                      "range_effective_tension", "range_von_mises_stress", "touchdown",
                      "constraints"},
+            "pair": {"motions_spar", "motions_tender", "environment", "tensions", "offset_spar", "offset_tender",
+                     "system", "ledger_spar", "ledger_tender", "range_effective_tension",
+                     "range_von_mises_stress", "touchdown", "constraints"},
             "decay": {"motions", "decay", "ledger"},
             "chain": {"tensions", "lines"},
         }
@@ -63,6 +66,13 @@ class Figures(InAFolder):
             for file in drawn:
                 self.assertGreater(os.path.getsize(file), 10_000, file)
         self.assertEqual(run(os.path.join(SCRIPTS, "plot"), self.path("nothing")).returncode, 2)
+
+    def test_a_platform_tells_where_it_is_designed_to_be(self):
+        folder = self.path("placed")
+        subprocess.run([PROGRAM, "pair", folder, "10"], check=True, capture_output=True)
+        with h5py.File(os.path.join(folder, "result.h5")) as file:
+            self.assertEqual(list(file["platform/tender"].attrs["design_position"]), [120, 60, 0])
+            self.assertEqual(list(file["platform/spar"].attrs["design_position"]), [0, 0, 0])
 
 
 class Results(InAFolder):

@@ -129,6 +129,21 @@ TEST(BetweenPlatforms, TiedLinesOfTwoPlatformsHaveTheStiffnessOfBoth) {  // R:46
     expect_stiffness_is_the_derivative(input, 1);
 }
 
+TEST(BetweenPlatforms, ALineFromAPlatformToItselfHasTheStiffnessOfBothItsEnds) {
+    for (const Joint joint : {Joint::ball, Joint::clamped}) {
+        Case input = hanging_between(joint);
+        input.lines[0].end_b = on_platform(0, {291.0, 4.0, -15.0});
+        ASSERT_FALSE(touched_platforms(input)[0].two());
+        expect_stiffness_is_the_derivative(input, 0);
+    }
+}
+
+TEST(BetweenPlatforms, AnEndBAloneOnAPlatformHasItsStiffness) {
+    Case input = hanging_between(Joint::ball);
+    input.lines[0].end_a = testing::fixed_at({12.0, 3.0, -20.0});
+    expect_stiffness_is_the_derivative(input, 0);
+}
+
 TEST(BetweenPlatforms, BothLoadsAndTheWeightInWaterBalance) {
     const Case input = hanging_between(Joint::flex);
     LocalLines lines(input, {0}, nullptr);

@@ -53,6 +53,33 @@ TEST(Result, HasTheSameDataHoweverTheRunWasCutIntoSegments) {
     EXPECT_DOUBLE_EQ(many.read("/lines/nodes/position").back(), -1500.0);
 }
 
+TEST(Result, TellsSeveralPlatformsApart) {
+    const Case input = test::synthetic_pair(20.0);
+    const test::Folder folder;
+    const ResultDigest digest = finish(folder.path, input, 1000);
+    const Hdf5File file = Hdf5File::open(folder.path / "result.h5");
+    for (const std::string name : {"spar", "tender"}) {
+        for (const char* part : {"/position", "/velocity", "/acceleration", "/loads/total"})
+            EXPECT_TRUE(file.exists("/platform/" + name + part)) << name << part;
+        EXPECT_TRUE(file.exists("/ledger/" + name + "/mean"));
+        EXPECT_EQ(file.dataset("/input/geometry/" + name + "/member_ends").shape(),
+                  (Extent{name == "spar" ? 3U : 1U, 2, 3}));
+        // surge and sway are displacements from where it is designed to be
+        EXPECT_NEAR(file.read("/statics/platform/" + name + "/position").at(0), 31.0, 1e-9);
+    }
+    EXPECT_EQ(file.read("/statics/platform/tender/mass").at(0), 14500.0);
+    ASSERT_GE(digest.statistics.size(), 12U);
+    EXPECT_EQ(digest.statistics[0].channel, "platform/spar/surge");
+    EXPECT_EQ(digest.statistics[6].channel, "platform/tender/surge");
+    const std::string text = summary_text(test::synthetic_record(input, 1), digest);
+    for (const char* words :
+         {"Platform spar", "Platform tender", "designed to be at x 120 m, y 60 m",
+          "Load ledger of tender", "no hydrodynamic interaction"})
+        EXPECT_THAT(text, HasSubstr(words));
+    EXPECT_THAT(summary_text(test::synthetic_record(test::synthetic_spar(20.0), 1), digest),
+                Not(HasSubstr("interaction")));
+}
+
 TEST(Result, ReplacesTheSegments) {
     const test::Folder folder;
     finish(folder.path, test::synthetic_decay(20.0), 10);

@@ -44,6 +44,7 @@ std::string definition_name(const Dimension& d) {
 class Schema {
  public:
     std::string run() {
+        count_uses(case_keys());
         Json properties = loose(case_keys());
         Json needed = strict(case_keys());
         Json whole = Json::object();
@@ -66,6 +67,27 @@ class Schema {
     }
 
  private:
+    /// How often each table stands in the format: what stands twice is defined once.
+    void count_uses(const Table& table) {
+        for (const Key& key : table.keys)
+            if (key.table != nullptr && !key.is_later && ++uses_[&key.table()] == 1)
+                count_uses(key.table());
+    }
+
+    /// A sub-table, or the reference to it.
+    Json table(const Table& table) {
+        if (uses_[&table] < 2) return loose(table);
+        auto at = shared_.find(&table);
+        if (at == shared_.end()) {
+            std::string name = "keys_of_" + table.name;
+            while (definitions_.contains(name)) name += "_";  // another table of the same name
+            at = shared_.emplace(&table, name).first;
+            definitions_.emplace(name, Json::object());  // the name is taken
+            definitions_.insert_or_assign(name, loose(table));
+        }
+        return reference(at->second);
+    }
+
     static Json reference(const std::string& name) {
         return Json::object().put("$ref", "#/definitions/" + name);
     }
@@ -235,13 +257,13 @@ class Schema {
                 }
                 return any_of({pattern("joint [1-9][0-9]*"), quantity(key.dimensions.front())});
             case Form::map:
-                return loose(key.table());
+                return table(key.table());
             case Form::list:
-                return Json::object().put("type", "array").put("items", loose(key.table()));
+                return Json::object().put("type", "array").put("items", table(key.table()));
             case Form::named:
                 return Json::object()
                     .put("type", "object")
-                    .put("additionalProperties", loose(key.table()));
+                    .put("additionalProperties", table(key.table()));
             case Form::open:
                 return Json::object().put("type", "object");
             case Form::entries:
@@ -379,6 +401,8 @@ class Schema {
     }
 
     std::map<std::string, Json> definitions_;
+    std::map<const Table*, int> uses_;
+    std::map<const Table*, std::string> shared_;  ///< under which definition
 };
 
 }  // namespace

@@ -81,7 +81,7 @@ std::string balance(const Case& input, std::size_t k, Hull& hull, const Reply& d
         if (const Mat6* part = line.stiffness_of(static_cast<int>(k), static_cast<int>(k)))
             restoring += (*part)(2, 2);
     const double heave = restoring > 0.0 ? (floats - hull.mass() * g) / restoring : HUGE_VAL;
-    const std::string unbalanced = fmt::format(
+    std::string unbalanced = fmt::format(
         "{}: weight {:.4g} kN and line loads {:.4g} kN do not balance the buoyancy of {:.4g} "
         "kN at the design draft; it will float elsewhere, about {:+.3g} m in heave "
         "({}.mass: auto would fit)",
@@ -261,6 +261,7 @@ StaticPlatform platform_at_rest(const Case& input, const Hull& hull, const Stati
 std::vector<StaticPlatform> platforms_at_rest(const Case& input, const std::vector<Hull>& hulls,
                                               const Statics& which) {
     std::vector<StaticPlatform> out;
+    out.reserve(hulls.size());
     for (const Hull& hull : hulls) out.push_back(platform_at_rest(input, hull, which));
     return out;
 }

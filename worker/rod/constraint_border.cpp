@@ -66,8 +66,8 @@ void RodPack<V>::add_border_at_end_b(int lane, const References& reference,
                                      std::vector<Border<columns>>& K,
                                      Eigen::Matrix<double, columns, columns>& M,
                                      TieBorder<V>* ties) const {
-    // R:51. As at end A (stiffness_about), only that the elimination starts there: the columns of the
-    // removed rows go to what is left of this node and to the next one.
+    // R:51. As at end A (stiffness_about), only that the elimination starts there: the columns of
+    // the removed rows go to what is left of this node and to the next one.
     using T = LaneTraits<V>;
     const int hull = place_b_.hull, turned = 6 * hull + 3;
     Mat3 own;

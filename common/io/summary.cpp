@@ -157,6 +157,27 @@ std::string lines_text(const RunRecord& record, const ResultDigest& digest) {
     return out;
 }
 
+/// Of the tensioners of a line whose stroke was recorded: which stood on their stops.
+std::vector<std::string> stops_of(const Line& line, const ResultDigest& digest) {
+    std::vector<std::string> out;
+    for (const LineConstraint& c : line.constraints) {
+        if (c.type != ConstraintType::tensioner) continue;
+        const std::string channel = fmt::format("constraint/{}/{}/stroke", line.name, c.name);
+        for (const ChannelStatistics& row : digest.statistics) {
+            if (row.channel != channel) continue;
+            const Statistics& stroke = row.values;
+            const auto say = [&](const char* which, double stop, double reached, double t) {
+                out.push_back(fmt::format(
+                    "{}/{}: on its {} stop of {:g} m, furthest at t = {:g} s with {:.3f} m",
+                    line.name, c.name, which, stop, t, reached));
+            };
+            if (stroke.min <= c.stroke_min) say("upper", c.stroke_min, stroke.min, stroke.t_min);
+            if (stroke.max >= c.stroke_max) say("lower", c.stroke_max, stroke.max, stroke.t_max);
+        }
+    }
+    return out;
+}
+
 /// What the lines went through: extremes with place and time, utilisation, slack.
 std::string courses_text(const RunRecord& record, const ResultDigest& digest) {
     const Case& input = record.input;
@@ -184,6 +205,7 @@ std::string courses_text(const RunRecord& record, const ResultDigest& digest) {
         if (line.fail && line.fail->time <= digest.last_time)
             flags.push_back(fmt::format("{}: parted at {:g} s at {:.1f} m, as the case says",
                                         names[i], line.fail->time, line.fail->arc_length));
+        for (const std::string& stop : stops_of(line, digest)) flags.push_back(stop);
         if (of_breaking.value > 1.0)
             flags.push_back(fmt::format("{}: above its breaking load at {:.1f} m, t = {:g} s",
                                         names[i], of_breaking.arc_length, of_breaking.time));

@@ -50,44 +50,60 @@ template <int n, class V>
     }
 }
 
-/// x = L^-T b; x may be b.
+/// x = L^-T b; x may be b. The newest x comes last into each sum: nothing else waits for it.
 template <int n, class V>
 [[gnu::always_inline]] inline void backward(const V (&L)[7][7], const V* b, V* x) {
 #pragma GCC unroll 7
     for (int i = n - 1; i >= 0; --i) {
         V s = b[i];
 #pragma GCC unroll 7
-        for (int k = i + 1; k < n; ++k) s -= L[k][i] * x[k];
+        for (int k = n - 1; k > i; --k) s -= L[k][i] * x[k];
         x[i] = s;
     }
 }
 
 /// Eliminates a node whose coupling to the next one is E (rows this node, columns the next):
 /// D_next -= E^T D^-1 E, R_next -= E^T D^-1 R, R:24. Only the lower triangle of D_next is changed.
+///
+/// Pivot by pivot: each waits for the division of the one before, and all that a pivot gives to the
+/// next node is worked out meanwhile.
 template <class V>
 inline void eliminate(const V (&D)[7][7], const V (&R)[7], const V (&E)[7][7], NodeFactor<V>& f,
                       V (&D_next)[7][7], V (&R_next)[7]) {
-    factor<0, 7>(D, f.L, f.inverse_d);
-    forward<7>(f.L, R, f.z);
+    V u[7][7];  // L times the pivots
 #pragma GCC unroll 7
-    for (int c = 0; c < 7; ++c) {
+    for (int j = 0; j < 7; ++j) {
+        V d = D[j][j];
 #pragma GCC unroll 7
-        for (int i = 0; i < 7; ++i) {
-            V s = E[i][c];
+        for (int k = 0; k < j; ++k) d -= f.L[j][k] * u[j][k];
+        const V inverse = V(1.0) / d;
+        f.inverse_d[j] = inverse;
+        V y[7], z = R[j];
 #pragma GCC unroll 7
-            for (int k = 0; k < i; ++k) s -= f.L[i][k] * f.Y[k][c];
-            f.Y[i][c] = s;
+        for (int c = 0; c < 7; ++c) {
+            y[c] = E[j][c];
+#pragma GCC unroll 7
+            for (int k = 0; k < j; ++k) y[c] -= f.L[j][k] * f.Y[k][c];
+            f.Y[j][c] = y[c];
         }
-    }
 #pragma GCC unroll 7
-    for (int k = 0; k < 7; ++k) {
-        const V z = f.inverse_d[k] * f.z[k];
+        for (int k = 0; k < j; ++k) z -= f.L[j][k] * f.z[k];
+        f.z[j] = z;
+#pragma GCC unroll 7
+        for (int i = j + 1; i < 7; ++i) {
+            V s = D[i][j];
+#pragma GCC unroll 7
+            for (int k = 0; k < j; ++k) s -= f.L[i][k] * u[j][k];
+            u[i][j] = s;
+            f.L[i][j] = s * inverse;
+        }
+        const V z_scaled = inverse * z;
 #pragma GCC unroll 7
         for (int i = 0; i < 7; ++i) {
-            const V y = f.inverse_d[k] * f.Y[k][i];
-            R_next[i] -= f.Y[k][i] * z;
+            const V scaled = inverse * y[i];
+            R_next[i] -= y[i] * z_scaled;
 #pragma GCC unroll 7
-            for (int j = 0; j <= i; ++j) D_next[i][j] -= y * f.Y[k][j];
+            for (int k = 0; k <= i; ++k) D_next[i][k] -= scaled * y[k];
         }
     }
 }
@@ -100,7 +116,7 @@ inline void substitute(const NodeFactor<V>& f, const V (&d_next)[7], V (&d)[7]) 
     for (int i = 0; i < 7; ++i) {
         V s = f.z[i];
 #pragma GCC unroll 7
-        for (int c = 0; c < 7; ++c) s -= f.Y[i][c] * d_next[c];
+        for (int c = 6; c >= 0; --c) s -= f.Y[i][c] * d_next[c];
         w[i] = f.inverse_d[i] * s;
     }
     backward<7>(f.L, w, d);

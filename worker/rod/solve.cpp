@@ -88,11 +88,9 @@ void RodPack<V>::reduce(V a0, V a1) {
     const std::size_t N = properties_.size();
     ++work_.solves;
     auto mass = masses_.begin();
-    V D[7][7], R[7], D_next[7][7], R_next[7];
-    for (auto& row : D)
-        for (V& x : row) x = V(0.0);
-    for (V& x : R) x = V(0.0);
+    V D[7][7]{}, R[7]{}, D_next[7][7], R_next[7];
 
+    // Unrolled, lest the compiler should copy rows in pieces that no vector load can take up.
     for (std::size_t e = 0; e < N; ++e) {
         const V lambda[3] = {lambda_[2 * e], lambda_[2 * e + 1], lambda_[2 * e + 2]};
         ElementSystem<V>& element = element_;
@@ -101,12 +99,15 @@ void RodPack<V>::reduce(V a0, V a1) {
         if (parts_) part_element(e, a0, a1);
         if (!constraints_.empty()) add_constraints(e, element);
         Middle& middle = middles_[e];
+#pragma GCC unroll 14
         for (int i = 0; i < 14; ++i) middle.column[i] = element.column[i];
         middle.inverse_pivot = element.inverse_pivot;
         middle.R = element.R_middle;
+#pragma GCC unroll 7
         for (int i = 0; i < 7; ++i) {
             R[i] += element.Ra[i];
             R_next[i] = element.Rb[i];
+#pragma GCC unroll 7
             for (int k = 0; k <= i; ++k) {
                 D[i][k] += element.aa[i][k];
                 D_next[i][k] = element.bb[i][k];
@@ -136,8 +137,10 @@ void RodPack<V>::reduce(V a0, V a1) {
             }
         }
         eliminate(D, R, element.ab, factors_[e], D_next, R_next);
+#pragma GCC unroll 7
         for (int i = 0; i < 7; ++i) {
             R[i] = R_next[i];
+#pragma GCC unroll 7
             for (int k = 0; k <= i; ++k) D[i][k] = D_next[i][k];
         }
     }

@@ -89,6 +89,7 @@ std::string platform_text(const RunRecord& record, std::size_t k) {
     const std::vector<Fact> facts =
         k < record.platforms.size() ? record.platforms[k] : std::vector<Fact>{};
     std::vector<std::string> names;
+    names.reserve(facts.size());
     for (const Fact& fact : facts) names.push_back(fact.description);
     const std::size_t width = widest(0, names);
     for (const Fact& fact : facts) {

@@ -132,8 +132,7 @@ Hull::Hull(const Case& c, const Platform& p, const HydroData* data)
     set_mass(p.mass.value_or(acting_buoyancy() / c.environment.water.gravity));
 
     drift_ = h.drift;
-    wave_phase_ =
-        h.wave_phase.value_or(drift_ == Drift::none ? WavePhase::instantaneous : WavePhase::slow);
+    wave_phase_ = h.wave_phase.value_or(WavePhase::slow);
     cutoff_ = sea_.has_waves() ? h.slow_cutoff.value_or(sea_.peak_frequency() / 4) : 0.0;
     if (data != nullptr && sea_.has_waves()) {
         excitation_ = ComponentTable<CVec6>(data->excitation, sea_.components());

@@ -161,7 +161,7 @@ class Hull {
     FittedMemory fitted_;
     std::optional<DiscreteMemory> discrete_;
     Drift drift_ = Drift::none;
-    WavePhase wave_phase_ = WavePhase::instantaneous;
+    WavePhase wave_phase_ = WavePhase::slow;
     double cutoff_ = 0.0;
     ComponentTable<CVec6> excitation_;
     ComponentTable<Vec6> mean_drift_;

@@ -62,9 +62,13 @@ class Checks {
         if (const auto& d = p.hydrodynamics.database; !d || d->displaced_volume)
             check_displacement(case_, p, d ? *d->displaced_volume : 0.0, problems_);
         const Hydrodynamics& hydro = p.hydrodynamics;
-        if (hydro.wave_phase == WavePhase::instantaneous && hydro.drift != Drift::none) {
+        if (hydro.wave_phase == WavePhase::instantaneous && hydro.database) {
             warning(p.key_path + ".hydrodynamics.wave_phase",
-                    "instantaneous counts part of the mean drift twice; use slow");
+                    hydro.drift == Drift::none
+                        ? "instantaneous gives the first-order force of a hull that follows the "
+                          "waves a mean of its own, of the size of the mean drift and no part of "
+                          "the data; use slow"
+                        : "instantaneous counts part of the mean drift twice; use slow");
         }
         if (hydro.database && hydro.database->rho &&
             std::abs(*hydro.database->rho / case_.environment.water.density - 1.0) > 0.005) {

@@ -227,10 +227,7 @@ class Completion {
                                  trains.size() > 1 ? " of the largest train" : ""));
             }
         }
-        if (!hydro.wave_phase) {
-            hydro.wave_phase =
-                hydro.drift == Drift::none ? WavePhase::instantaneous : WavePhase::slow;
-        }
+        if (!hydro.wave_phase) hydro.wave_phase = WavePhase::slow;
         if (*hydro.wave_phase == WavePhase::slow && !hydro.slow_cutoff && longest &&
             std::isfinite(*longest) && *longest > 0.0) {
             hydro.slow_cutoff = *longest / 4.0;

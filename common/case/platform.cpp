@@ -210,9 +210,9 @@ const Table& hydrodynamics_keys() {
                  std::vector<std::pair<std::string, WavePhase>>{
                      {"slow", WavePhase::slow}, {"instantaneous", WavePhase::instantaneous}},
                  "Position at which first-order excitation takes its phase: low-pass filtered, or "
-                 "that of the moment")
-            .follows("slow if there is drift, else instantaneous")
-            .eg("slow");
+                 "that of the moment, which gives the force of a hull that follows the waves a mean "
+                 "of its own, of the size of the mean drift")
+            .def("slow");
         k.number("slow_cutoff", &Hydrodynamics::slow_cutoff, frequency,
                  "Cut-off frequency of that filter")
             .or_word("auto")

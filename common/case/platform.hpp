@@ -69,7 +69,7 @@ struct Hydrodynamics {
     std::optional<double> added_mass_frequency;  ///< [rad/s]; empty (auto): the spectral peak
     std::optional<RadiationMemoryKeys> memory;   ///< empty: constant added mass and damping
     Drift drift = Drift::none;
-    std::optional<WavePhase> wave_phase;  ///< empty: slow if there is drift, else instantaneous
+    std::optional<WavePhase> wave_phase;  ///< empty: slow
     std::optional<double> slow_cutoff;    ///< [rad/s]; empty: a quarter of the spectral peak
 
     bool operator==(const Hydrodynamics&) const = default;

@@ -45,7 +45,7 @@ std::string complaint(const fs::path& file) {
 }
 
 TEST(DoubtfulCase, IsReadWithWarningsAndNotes) {
-    for (const char* name : {"lines", "mesh", "platform", "water", "waves"}) {
+    for (const char* name : {"lines", "mesh", "phase", "platform", "water", "waves"}) {
         std::string said;
         for (const std::string& note :
              read_case(cases / "doubtful" / (std::string(name) + ".yml"), {}).notes) {

@@ -10,12 +10,13 @@ namespace {
 
 /// Mean surge force (first order and drift) on the free hull in a regular wave, over D(w) a^2. A
 /// soft spring, 157 s, keeps the hull from drifting away.
-double mean_force_over_drift(double omega, WavePhase phase) {
+double mean_force_over_drift(double omega, std::optional<WavePhase> phase,
+                             Drift drift = Drift::newman) {
     const double amplitude = 2.0, ramp = 300, stiffness = 3.2e5;
     Case c = spar_case();
     c.platform->mass = 100530.965 * 1025;
     c.platform->hydrodynamics.added_mass_frequency.reset();
-    c.platform->hydrodynamics.drift = Drift::newman;
+    c.platform->hydrodynamics.drift = drift;
     c.platform->hydrodynamics.wave_phase = phase;
     c.environment.waves = {regular_wave(omega, amplitude)};
     c.analysis.dynamics.ramp = ramp;
@@ -28,7 +29,8 @@ double mean_force_over_drift(double omega, WavePhase phase) {
     const ComponentTable<Vec6> table(spar_data().mean_drift, hull.sea().components());
     const double D = table.at(0, table.weights(0))[0];
     // From the offset that the spring gives at the mean drift; the slow ramp does the rest.
-    const PlatformMotion offset{.position = {D * amplitude * amplitude / stiffness, 0, 0}};
+    const double at_rest = drift == Drift::none ? 0 : D * amplitude * amplitude / stiffness;
+    const PlatformMotion offset{.position = {at_rest, 0, 0}};
     run(
         hull, hull.start(offset, offset), step, last,
         [&, i = 0](double, const State&, const HullLoads& loads) mutable {
@@ -50,6 +52,12 @@ TEST(SlowPhase, FreeHullFeelsTheMeanDriftOnce) {  // K:8 and its table
 TEST(SlowPhase, InstantaneousPhaseCountsPartOfTheDriftTwice) {  // K:8: 1.25 and 0.21 of D on top
     EXPECT_NEAR(mean_force_over_drift(0.6, WavePhase::instantaneous), 2.25, 0.03);
     EXPECT_NEAR(mean_force_over_drift(0.8, WavePhase::instantaneous), 1.21, 0.02);
+}
+
+// 1/256 of the wave motion is left in the slow position; what it makes of D is in the test above.
+TEST(SlowPhase, WithoutDriftTheFirstOrderForceHasNoMeanUnlessTheCaseAsksForIt) {  // K:8
+    EXPECT_NEAR(mean_force_over_drift(0.6, std::nullopt, Drift::none), 0, 0.03);
+    EXPECT_NEAR(mean_force_over_drift(0.6, WavePhase::instantaneous, Drift::none), 1.25, 0.05);
 }
 
 TEST(SlowPhase, FilterIsAButterworthOfOrderFour) {  // K:8

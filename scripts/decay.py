@@ -8,8 +8,9 @@ loses per period the part p + q a of its amplitude a (in the logarithm):
     p = 2 pi b1/(2 w)        q = (8/3) b2
 
 to first order in p and q. Half the heights from turning point to turning point are the amplitudes, so
-that the place of rest, which may not be known, drops out. scripts/plot draws it, and
-tests/validation/validate_platforms.py uses it. Needs numpy only.
+that the place of rest, which may not be known, drops out. The line p + q a is a robust one (Tukey's biweight): swings
+that another motion disturbs, usually the first and largest, do not bend it. Beside it stands what the smallest swings
+lose, which needs no line. scripts/plot draws both, and tests/validation/validate_platforms.py uses it. Needs numpy only.
 """
 
 import math
@@ -31,6 +32,10 @@ class Decay:
     period: float  # damped, mean over the turning points [s]
     p: float  # loss per period as the amplitude goes to zero
     q: float  # what it grows by with the amplitude [1/unit]
+    p_error: float = 0.0  # standard errors of the two, from the scatter about the line
+    q_error: float = 0.0
+    scatter: float = 0.0  # root mean square of loss - (p + q a), all pairs alike
+    small: tuple = (0.0, 0.0, 0.0)  # smallest third of the amplitudes: least, greatest, median loss
 
     @property
     def linear_damping(self):
@@ -56,6 +61,31 @@ class Decay:
 def damping_of(loss):
     """Part of critical damping of a logarithmic loss per period."""
     return loss / np.hypot(2 * math.pi, loss)
+
+
+def robust_line(a, y, w):
+    """p, q of y = p + q a, their standard errors: Tukey's biweight on residuals times w (an error of y is in
+    inverse proportion to w), begun at the weighted median of the slopes of all pairs of points (Theil and Sen)."""
+    i, j = np.triu_indices(len(a), 1)
+    run = a[j] - a[i]
+    apart = np.abs(run) > 1e-9 * np.abs(a).max()
+    slope, weight = ((y[j] - y[i])[apart] / run[apart]), np.abs(run[apart])
+    order = np.argsort(slope)
+    q = slope[order][np.searchsorted(np.cumsum(weight[order]), 0.5 * weight.sum())]
+    p = float(np.median(y - q * a))
+    X = np.column_stack([np.ones_like(a), a])
+    for _ in range(50):
+        off = w * (y - p - q * a)
+        scale = max(1.4826 * float(np.median(np.abs(off))), 1e-4 * float(np.median(w * np.abs(y))), 1e-300)
+        kept = w * np.clip(1 - (off / (4.685 * scale)) ** 2, 0, None)  # root of the weight
+        before = p, q
+        p, q = np.linalg.lstsq(X * kept[:, None], kept * y, rcond=None)[0]
+        if abs(p - before[0]) + abs(q - before[1]) * a.max() < 1e-9 * abs(p):
+            break
+    left = kept * (y - p - q * a)
+    free = max(float(np.sum((kept / w) ** 2)) - 2, 1.0)
+    spread = np.linalg.pinv((X * kept[:, None]).T @ (X * kept[:, None])) * float(left @ left) / free
+    return p, q, math.sqrt(spread[0, 0]), math.sqrt(spread[1, 1])
 
 
 def turning_points(t, x):
@@ -91,7 +121,10 @@ def free_decay(t, x, least=LEAST):
     amplitude = 0.5 * np.sqrt(height[:-1] * height[1:])
     period = 2 * np.polyfit(np.arange(len(when)), when, 1)[0]
     if len(loss) > 2:  # an error of a turn is an error of the loss in inverse proportion to the height
-        q, p = np.polyfit(amplitude, loss, 1, w=amplitude)
+        p, q, p_error, q_error = robust_line(amplitude, loss, amplitude)
     else:
-        q, p = 0.0, float(np.mean(loss))
-    return Decay(when, what, amplitude, loss, float(period), float(p), float(q))
+        p, q, p_error, q_error = float(np.mean(loss)), 0.0, 0.0, 0.0
+    smallest = np.argsort(amplitude)[: -(-len(loss) // 3)]
+    small = (float(amplitude[smallest].min()), float(amplitude[smallest].max()), float(np.median(loss[smallest])))
+    scatter = float(np.sqrt(np.mean((loss - p - q * amplitude) ** 2)))
+    return Decay(when, what, amplitude, loss, float(period), float(p), float(q), p_error, q_error, scatter, small)

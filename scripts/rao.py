@@ -4,7 +4,16 @@
 Regular waves: elevation and motion are fitted with one frequency over whole periods at the end of the
 run. Random waves: cross spectra, with coherence (Welch's method: overlapping Hann windows). The
 operator is complex with the time factor e^{+i w t}: its phase is by how much the motion is ahead of
-the crest at the origin. Needs numpy only.
+the crest at the platform's design position. Needs numpy only.
+
+A window of length T blurs what is narrower than 2 pi/T. A resonance of half-power bandwidth 2 a [rad/s] answers with
+h(s) = a e^{-a s} times its peak; in cross spectra it is weighted with the window's own correlation r(s/T), so that of
+the peak is left
+
+    R(a T) = int_0^T a e^{-a s} r(s/T) ds
+
+and the coherence there is that very R, for the same blur takes R of the cross spectrum and R of the response's
+spectrum: R^2/R. So in waves that are even over the bandwidth the peak is that found over the coherence.
 """
 
 import csv
@@ -25,6 +34,8 @@ class Response:
     coherence: np.ndarray  # (frequencies, 6); 1 in regular waves
     error: np.ndarray  # (frequencies, 6): standard error relative to |operator|; in regular waves how
     # much it still changed between the halves of the time that was used
+    window: float = 0.0  # length of a window [s]; 0: regular waves
+    windows: float = 1.0  # independent ones
 
 
 def fit(t, x, w):
@@ -99,7 +110,84 @@ def random(t, elevation, motion, windows=15, least=0.01):
     # Bendat and Piersol: variance of |H|; windows that overlap by half count nine elevenths each
     independent = max(count * 9 / 11, 1.0)
     error = np.sqrt(np.maximum(1 - coherence, 0) / np.maximum(2 * coherence * independent, floor))
-    return Response(w[use], H, coherence, error)
+    return Response(w[use], H, coherence, error, n * step, independent)
+
+
+def kept_of_peak(aT):
+    """R: what a Hann window of length T leaves of the peak of a resonance with half-power bandwidth 2 a."""
+    x = (np.arange(4000) + 0.5) / 4000
+    r = (2 / 3) * (1 - x) * (1 + 0.5 * np.cos(2 * math.pi * x)) + np.sin(2 * math.pi * x) / (2 * math.pi)
+    # a e^{-a s} over each of the small steps exactly, so that a quick decay is no trouble
+    weight = np.exp(-aT * (x - 0.5 / 4000)) - np.exp(-aT * (x + 0.5 / 4000))
+    return float(np.sum(weight * r))
+
+
+def bandwidth_kept(R):
+    """a T of which R is left, by bisection."""
+    low, high = 1e-6, 1e6
+    for _ in range(80):
+        middle = math.sqrt(low * high)
+        low, high = (middle, high) if kept_of_peak(middle) < R else (low, middle)
+    return math.sqrt(low * high)
+
+
+@dataclass
+class CutPeak:
+    """A peak that the spectral resolution cuts."""
+
+    motion: int
+    at: int  # place in the frequencies
+    found: float  # its size there
+    kept: float  # part of the true peak that this is, estimated
+    bandwidth: float  # of the resonance at half power [rad/s]
+    damping: float  # part of critical
+    run: float  # length of run of which 95 % would be seen, with the same number of windows [s]
+
+
+def half_power_width(w, size, k):
+    """Width of the peak at size[k] where it falls to 1/sqrt(2) [rad/s]; twice one side where the other does not."""
+    level, sides = size[k] / math.sqrt(2), []
+    for step in (-1, 1):
+        i = k
+        while 0 <= i + step < len(w) and size[i] > level:
+            i += step
+        if size[i] <= level:
+            part = (size[i - step] - level) / (size[i - step] - size[i])
+            sides.append(abs(w[i - step] + part * (w[i] - w[i - step]) - w[k]))
+    return sum(sides) * (1 if len(sides) == 2 else 2) if sides else math.inf
+
+
+def cut_peaks(response, length, seen=0.95, least=1.5):
+    """Peaks of operators from random waves of a run of `length` of which less than `seen` is left. A peak is
+    the greatest value inside the frequencies, `least` times the median or more and no wider than the resolution would
+    make a resonance of the bandwidth that the coherence tells: else it is noise that lowers the coherence."""
+    cut = []
+    w, T = response.frequency, response.window
+    if T == 0.0:
+        return cut
+    for i in range(response.operator.shape[1]):
+        size = np.abs(response.operator[:, i])
+        k = int(size.argmax())
+        if k in (0, len(w) - 1) or size[k] < least * np.median(size) or size[k] <= 1e-6:
+            continue
+        c = float(response.coherence[k, i])
+        R = min(max(c - (1 - c) ** 2 / response.windows, 0.02), 1.0)  # less what chance gives
+        if R >= seen:
+            continue
+        a = bandwidth_kept(R) / T
+        if half_power_width(w, size, k) > 2 * (2 * a + 1.44 * 2 * math.pi / T):  # 1.44: Hann's own, in steps
+            continue
+        cut.append(CutPeak(i, k, float(size[k]), R, 2 * a, a / w[k], length * bandwidth_kept(seen) / (a * T)))
+    return cut
+
+
+def low_coherence(response, i, least=0.8, matters=0.05):
+    """Ranges [rad/s] in which less than `least` of motion i comes from the waves, where it is at least the part
+    `matters` of its greatest."""
+    size = np.abs(response.operator[:, i])
+    low = (response.coherence[:, i] < least) & (size > matters * size.max())
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], low.astype(int), [0]])))
+    return [(response.frequency[a], response.frequency[b - 1]) for a, b in zip(edges[::2], edges[1::2])]
 
 
 def spectrum(t, x, windows=7):
@@ -125,13 +213,15 @@ def is_regular(elevation, t):
     return float(np.std(elevation - (A * np.exp(1j * w * t)).real)) < 0.02 * float(np.std(elevation))
 
 
-def write(path, response):
-    """As a table with a header: frequency, then real and imaginary part, coherence and error of each."""
+def write(path, response, remarks=()):
+    """As a table with a header: frequency, then real and imaginary part, coherence and error of each; before it the
+    remarks, as lines that begin with #."""
     head = ["omega_rad_s"]
     for m in MOTIONS:
         unit = "m_per_m" if m in MOTIONS[:3] else "deg_per_m"
         head += [f"{m}_re_{unit}", f"{m}_im_{unit}", f"{m}_coherence", f"{m}_error"]
     with open(path, "w", newline="") as file:
+        file.writelines(f"# {line}\n" for line in remarks)
         table = csv.writer(file, lineterminator="\n")
         table.writerow(head)
         for w, X, c, e in zip(response.frequency, response.operator, response.coherence, response.error):

@@ -36,6 +36,7 @@ Recorder::Recorder(const Case& input, const Sea& sea, io::SeriesWriter& results)
                     .position = declare(root + "position", 6),
                     .velocity = declare(root + "velocity", 6),
                     .acceleration = declare(root + "acceleration", 6),
+                    .elevation = declare(root + "elevation", 1),
                     .loads = {}};
         for (const std::string_view name : io::load_names)
             its.loads.push_back(declare(root + "loads/" + std::string(name), 6));
@@ -71,6 +72,11 @@ void Recorder::sample(double t) {
     if (elevation_ >= 0) {
         const double eta = sea_.elevation(t, 0.0, 0.0);
         results_.put(elevation_, {&eta, 1});
+    }
+    for (const Columns& its : platforms_) {
+        if (its.elevation < 0) continue;
+        const double eta = sea_.elevation(t, its.design.x(), its.design.y());
+        results_.put(its.elevation, {&eta, 1});
     }
     if (elevation_of_trains_ >= 0) {
         for (int i = 0; i < sea_.trains(); ++i)

@@ -35,7 +35,7 @@ class Recorder {
     /// Fields of one platform; -1: not recorded.
     struct Columns {
         Vec3 design;
-        int position, velocity, acceleration;
+        int position, velocity, acceleration, elevation;
         std::vector<int> loads;
     };
     int declare(const std::string& path, int columns);

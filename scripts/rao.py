@@ -22,6 +22,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+LEAST_KEPT = 0.2  # of a peak: below it the coherence of some twelve windows tells no more
 MOTIONS = ["surge", "sway", "heave", "roll", "pitch", "yaw"]
 
 
@@ -138,7 +139,7 @@ class CutPeak:
     motion: int
     at: int  # place in the frequencies
     found: float  # its size there
-    kept: float  # part of the true peak that this is, estimated
+    kept: float  # part of the true peak that this is, estimated; LEAST_KEPT: that or less
     bandwidth: float  # of the resonance at half power [rad/s]
     damping: float  # part of critical
     run: float  # length of run of which 95 % would be seen, with the same number of windows [s]
@@ -171,7 +172,7 @@ def cut_peaks(response, length, seen=0.95, least=1.5):
         if k in (0, len(w) - 1) or size[k] < least * np.median(size) or size[k] <= 1e-6:
             continue
         c = float(response.coherence[k, i])
-        R = min(max(c - (1 - c) ** 2 / response.windows, 0.02), 1.0)  # less what chance gives
+        R = min(max(c - (1 - c) ** 2 / response.windows, LEAST_KEPT), 1.0)  # less what chance gives
         if R >= seen:
             continue
         a = bandwidth_kept(R) / T

@@ -85,6 +85,13 @@ std::vector<SeriesField> result_fields(const Case& input, const std::vector<int>
                               "Elevation of each wave train alone at the origin",
                               {n}});
     }
+    for (int k = 0; k < platforms && output.environment && !input.environment.waves.empty(); ++k)
+        if (const Platform& p = input.platform_at(k); !p.position.head<2>().isZero(0.0))
+            fields.push_back(
+                {platform_path(p) + "elevation",
+                 "m",
+                 "Undisturbed elevation of the sea where the platform is designed to be",
+                 {}});
     if (output.environment && input.environment.wind) {
         fields.push_back({"/environment/wind_speed",
                           "m/s",

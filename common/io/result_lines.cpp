@@ -34,6 +34,7 @@ std::vector<double> least_beside_nodes(const Case& input, Get&& get) {
 }  // namespace
 
 void write_lines(Hdf5File& file, const Case& input) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::vector<std::string> names, families;
     std::vector<std::int64_t> first{0};
     std::vector<double> arc_length;
@@ -48,11 +49,20 @@ void write_lines(Hdf5File& file, const Case& input) {
     describe(file, "/lines/names", "", "Names of the lines, in the order of all line results");
     file.write_texts("/lines/family", families);
     describe(file, "/lines/family", "", "Family of each line in the case file");
+    if (std::any_of(input.lines.begin(), input.lines.end(),
+                    [](const Line& line) { return line.fail.has_value(); })) {
+        std::vector<double> parted;
+        for (const Line& line : input.lines) {
+            parted.push_back(line.fail ? line.fail->time : nan);
+            parted.push_back(line.fail ? line.fail->arc_length : nan);
+        }
+        write_numbers(file, "/lines/parted", parted, {input.lines.size(), 2}, "s, m",
+                      "When and at which arc length each line parts by the case; NaN: never");
+    }
     file.write("/lines/nodes/first", first, {first.size()});
     describe(file, "/lines/nodes/first", "", "Line i has the nodes first[i] to first[i + 1] - 1");
     write_numbers(file, "/lines/nodes/arc_length", arc_length, {arc_length.size()}, "m",
                   "Unstretched arc length of the nodes from end A");
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<double> breaking = least_beside_nodes(
         input, [nan](const LineType& type) { return type.breaking_load.value_or(nan); });
     write_numbers(file, "/lines/nodes/breaking_load", breaking, {breaking.size()}, "N",

@@ -31,6 +31,10 @@ std::vector<ChannelStatistics> result_statistics(const Hdf5File& result, const C
             add(root.substr(1) + motions[k], k < 3 ? "m" : "deg", root + "position", k);
         }
     }
+    for (int p = 0; p < input.platform_count(); ++p)
+        if (const std::string path = platform_path(input.platform_at(p)) + "elevation";
+            result.exists(path))
+            add(path.substr(1), "m", path, 0);
     for (const auto& [name, units] :
          {std::pair{"elevation", "m"}, std::pair{"wind_speed", "m/s"}}) {
         const std::string path = std::string("environment/") + name;

@@ -170,6 +170,27 @@ TEST(PlatformsTogether, WithoutCommonLinesMoveAsEachAlone) {
     }
 }
 
+TEST(PlatformsTogether, EachTellsTheSeaAtItsOwnPlace) {
+    // deep water: A cos(w t - k x cos(heading)) with k = w^2/g
+    Case c = two_buoys();
+    const double A = 1.5, T = 9.0, heading = 0.6;
+    c.environment.waves = {{.type = WaveType::airy, .H = 2 * A, .T = T, .heading = heading}};
+    c.analysis.dynamics.duration = 10.0;
+    c.output.environment = true;
+    const Folder folder("elevation");
+    ASSERT_EQ(run(c, folder), ExitCode::done);
+    const io::Hdf5File result = io::Hdf5File::open(folder.path / "result.h5");
+    const std::vector<double> t = result.read("/time");
+    const double w = 2 * M_PI / T, k = w * w / g;
+    for (const auto& [name, x] : {std::pair{"near", 100.0}, std::pair{"far", 300.0}}) {
+        const std::vector<double> eta =
+            result.read("/platform/" + std::string(name) + "/elevation");
+        ASSERT_EQ(eta.size(), t.size());
+        for (std::size_t n = 0; n < t.size(); ++n)
+            EXPECT_NEAR(eta[n], A * std::cos(w * t[n] - k * x * std::cos(heading)), 1e-6);
+    }
+}
+
 TEST(PlatformsTogether, SwingApartWithTheReducedMassAndKeepMomentumAndEnergy) {  // P:3
     // Nothing but a taut line of 5 kg between two free masses: k = EA/L, w^2 = k (1/M1 + 1/M2).
     // The pull at rest is taken by constant forces.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "environment/dispersion.hpp"
 #include "hydro_checks.hpp"
@@ -56,6 +57,20 @@ void stated_values(Reading& r, HydroData& data) {
                         data.density));
     if (data.gravity == 0.0) data.gravity = r.gravity;
     if (data.depth == 0.0) data.depth = r.depth;
+}
+
+/// Where nothing else tells volume and centre of buoyancy, the panels of the .gdf do.
+void volume_of_panels(Reading& r, const HydroSet& set, HydroData& data) {
+    if (data.displaced_volume > 0.0 || !set.geometry || !set.geometry->hull) return;
+    const PanelHydrostatics& hull = *set.geometry->hull;
+    if (!(hull.volume() > 0.0) || hull.gap() > 0.02) return;
+    data.displaced_volume = hull.volume();
+    data.centre_of_buoyancy = hull.centre_of_buoyancy + r.database.reference_point;
+    data.centre_of_buoyancy.z() += hull.waterline;
+    r.notes.push_back(
+        fmt::format("{}: displaced volume {:.6g} m3 and centre of buoyancy are those "
+                    "inside its panels",
+                    set.geometry->file.string(), data.displaced_volume));
 }
 
 /// Mirrors and orders the headings of all tables. Symmetry about xz: stated in the case, or plain
@@ -213,9 +228,11 @@ CheckedHydro read_once(const HydroDatabase& database, const Water& water, double
     CheckedHydro out;
     HydroData& data = out.data = std::move(set.data);
     stated_values(r, data);
+    volume_of_panels(r, set, data);
     finish_headings(r, set.excitation_file, data);
     take_apart(r, set, data);
     if (!r.problems.empty()) throw HydroFileError(r.problems);
+    std::vector<PlacedCheck> of_inputs = check_wamit_inputs(database, set, data);
     move_phase_origin(database.phase_origin, data);
     shift_to_reference_point(database.reference_point, data);
     if (std::abs(data.density / water.density - 1.0) > 0.01)
@@ -228,6 +245,7 @@ CheckedHydro read_once(const HydroDatabase& database, const Water& water, double
         const int line = rows != nullptr ? line_of(check, *rows) : 0;
         out.checks.push_back({std::move(check), file.string(), line});
     }
+    std::move(of_inputs.begin(), of_inputs.end(), std::back_inserter(out.checks));
     out.files = std::move(set.files);
     data.notes = std::move(r.notes);
     return out;

@@ -110,6 +110,11 @@ void find_files(const HydroOptions& o, HydroRequest& request, std::optional<Hydr
     if (is_ending_of_wamit(first)) {
         fs::path stem = first;
         request.database.path = stem.replace_extension().string();
+        if (first.extension() == ".out" && !fs::exists(stem.string() + ".1"))
+            problems.push_back(
+                fmt::format("{}: WAMIT's listing is not read; expected the numeric files of the "
+                            "run, {}.1, .3, .hst",
+                            first.string(), stem.filename().string()));
         for (const std::string& other : o.files)
             if (fs::path(other).replace_extension() != stem && is_ending_of_wamit(other))
                 problems.push_back(

@@ -10,6 +10,7 @@
 
 #include "case/platform.hpp"
 #include "hydro_data.hpp"
+#include "io/wamit_inputs.hpp"
 #include "io/wamit_records.hpp"
 #include "io/wave_rows.hpp"
 
@@ -46,6 +47,8 @@ struct HydroSet {
     Path drift_file, second_order_file;                     ///< empty: the file of the excitation
     std::vector<RowPlace> radiation_rows, excitation_rows;  ///< of files of text
     std::vector<std::string> files;                         ///< that were read
+    std::optional<WamitGeometry> geometry;                  ///< what went into a run of WAMIT
+    std::optional<WamitControl> control;
 };
 
 /// 1 for roll, pitch and yaw, 0 for the translations.

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <optional>
 #include <sstream>
 
 namespace hawser::io {
@@ -14,8 +13,9 @@ namespace hawser::io {
 namespace {
 constexpr int most_per_file = 20;
 
-// A number as Fortran may write it: 1.0, +1.0E+01, 1.0D+01.
-std::optional<double> number(std::string word) {
+}  // namespace
+
+std::optional<double> fortran_number(std::string word) {
     for (char& c : word)
         if (c == 'D' || c == 'd') c = 'e';
     const char *first = word.data(), *last = first + word.size();
@@ -25,7 +25,6 @@ std::optional<double> number(std::string word) {
     if (error != std::errc() || end != last || !std::isfinite(value)) return std::nullopt;
     return value;
 }
-}  // namespace
 
 void FileProblems::add(const std::filesystem::path& file, int line, std::string message) {
     list_.push_back({file.string(), line, std::move(message)});
@@ -61,7 +60,7 @@ std::vector<Record> read_records(const std::filesystem::path& file, std::size_t 
         Record record{line, {}};
         bool good = true;
         for (std::string word; good && words >> word;) {
-            if (const std::optional<double> x = number(word))
+            if (const std::optional<double> x = fortran_number(word))
                 record.numbers.push_back(*x);
             else if (line == 1 && record.numbers.empty()) {
                 good = false;  // the header

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ class FileProblems {
  private:
     std::vector<FileProblem> list_;
 };
+
+/// A number as Fortran may write it: 1.0, +1.0E+01, 1.0D+01. None if the word is no finite number.
+std::optional<double> fortran_number(std::string word);
 
 struct Record {
     int line = 0;

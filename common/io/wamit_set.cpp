@@ -1,6 +1,7 @@
 // WAMIT numeric files (WAMIT manual, ch. 4 "Output files" and ch. 11 for second order): .1 .2 .3
-// .3fk .3sc .4 .7 .8 .9 .10-.12 d/s .hst. HAMS writes the first-order ones of them with e^{-i w t},
-// the limits the other way round, and a first column that its control file chooses.
+// .3fk .3sc .4 .7 .8 .9 .10-.12 d/s .hst; .gdf and .frc for checks. HAMS writes the first-order
+// ones of them with e^{-i w t}, the limits the other way round, and a first column that its control
+// file chooses.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,10 +30,16 @@ class WamitSet {
         set_.data.difference = second_order({".12d", ".11d", ".10d"}, true);
         set_.data.sum = second_order({".12s", ".11s", ".10s"}, false);
         hydrostatics();
+        if (!hams_ && !r_.database.body) {
+            set_.geometry = read_wamit_geometry(r_.file(".gdf"));
+            set_.control = read_wamit_control(r_.file(".frc"));
+        }
         for (const char* ending : {".1", ".2", ".3", ".3fk", ".3sc", ".4", ".7", ".8", ".9", ".12d",
                                    ".11d", ".10d", ".12s", ".11s", ".10s", ".hst"})
             if (std::filesystem::exists(r_.file(ending)))
                 set_.files.push_back(r_.file(ending).string());
+        if (set_.geometry) set_.files.push_back(set_.geometry->file.string());
+        if (set_.control) set_.files.push_back(set_.control->file.string());
         if (others_)
             r_.notes.push_back(
                 fmt::format("{}: body {} of several is read; forces on it from the motion of the "

@@ -206,12 +206,13 @@ const Table& hydrodynamics_keys() {
                  "approximation, or difference and sum frequencies from full QTFs")
             .later_words({"table"})
             .def("none");
-        k.choice("wave_phase", &Hydrodynamics::wave_phase,
-                 std::vector<std::pair<std::string, WavePhase>>{
-                     {"slow", WavePhase::slow}, {"instantaneous", WavePhase::instantaneous}},
-                 "Position at which first-order excitation takes its phase: low-pass filtered, or "
-                 "that of the moment, which gives the force of a hull that follows the waves a mean "
-                 "of its own, of the size of the mean drift")
+        k.choice(
+             "wave_phase", &Hydrodynamics::wave_phase,
+             std::vector<std::pair<std::string, WavePhase>>{
+                 {"slow", WavePhase::slow}, {"instantaneous", WavePhase::instantaneous}},
+             "Position at which first-order excitation takes its phase: low-pass filtered, or "
+             "that of the moment, which gives the force of a hull that follows the waves a mean "
+             "of its own, of the size of the mean drift")
             .def("slow");
         k.number("slow_cutoff", &Hydrodynamics::slow_cutoff, frequency,
                  "Cut-off frequency of that filter")

@@ -39,6 +39,7 @@ struct LineModes {
 
 struct ModesReport {
     std::vector<std::string> platforms;  ///< their names
+    std::vector<PlatformMotion> rest;    ///< where they are in the equilibrium
     std::vector<CoupledMode> coupled;    ///< six per platform; none without one
     std::vector<LineModes> lines;
     std::vector<std::string> warnings;

@@ -3,7 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
+#include <utility>
 
 namespace hawser::master {
 
@@ -16,8 +18,7 @@ using Solver = Eigen::GeneralizedSelfAdjointEigenSolver<Matrix>;
 Matrix symmetric(const Matrix& K) { return 0.5 * (K + K.transpose()); }
 
 /// m = -dS/d(w^2), the inertia of the lines at rest in everything but what w makes of it.
-Matrix line_inertia(const LineStiffness& lines, double omega) {
-    constexpr double part = 1e-3;
+Matrix line_inertia(const LineStiffness& lines, double omega, double part = 1e-3) {
     const double low = omega * (1.0 - part), high = omega * (1.0 + part);
     return (lines(low) - lines(high)) / (high * high - low * low);
 }
@@ -29,6 +30,67 @@ struct Found {
     Matrix platform_mass;
     bool converged = false;
 };
+
+/// Part of a mode of hull and lines that is of the motion `start` of the hull, of the root of the
+/// kinetic energy.
+double likeness(const Found& at, const Vector& start) {
+    const double lines = std::max(0.0, at.x.dot(at.mass * at.x));
+    return std::abs(at.x.dot(at.platform_mass * start)) / std::sqrt(1.0 + lines);
+}
+
+bool is_among(const Found& at, const std::vector<Found>& before) {
+    return std::any_of(before.begin(), before.end(), [&](const Found& other) {
+        return std::abs(at.omega_squared - other.omega_squared) < 1e-6 * at.omega_squared &&
+               std::abs(other.x.dot(at.platform_mass * at.x)) > 0.9;
+    });
+}
+
+/// Of all modes of hull and lines near a frequency the one that has most of the motion `start`.
+/// Where lines swing by themselves the hull's motion is spread over several modes, and an iteration
+/// from one of them to the next need not end at the right one, or at all. D(w) = K + S(w) - w^2 M
+/// has one negative eigenvalue more above each mode and one less above each frequency at which the
+/// lines swing with their ends held (Wittrick and Williams), so halving an interval in which the
+/// count has risen ends at a mode.
+std::optional<Found> most_alike(const Matrix& K, const MassAt& mass_at, const LineStiffness& lines,
+                                double squared, const Vector& start,
+                                const std::vector<Found>& before) {
+    constexpr double low = 0.6, high = 1.6;  // of the frequency with the lines' static stiffness
+    constexpr int points = 160, halvings = 36;
+    const auto dynamic = [&](double w) { return Matrix(K + lines(w) - w * w * mass_at(w)); };
+    const auto below_zero = [&](double w) {
+        const Eigen::SelfAdjointEigenSolver<Matrix> modes(dynamic(w), Eigen::EigenvaluesOnly);
+        return (modes.eigenvalues().array() < 0.0).count();
+    };
+    std::optional<Found> best;
+    const double w0 = std::sqrt(squared), ratio = std::pow(high / low, 1.0 / points);
+    double a = low * w0;
+    Eigen::Index count = below_zero(a);
+    for (int i = 0; i < points; ++i) {
+        const double b = a * ratio;
+        const Eigen::Index after = below_zero(b);
+        if (after > count) {
+            double left = a, right = b;
+            for (int k = 0; k < halvings; ++k) {
+                const double middle = 0.5 * (left + right);
+                (below_zero(middle) > count ? right : left) = middle;
+            }
+            Found at;
+            at.omega_squared = left * right;
+            at.platform_mass = mass_at(left);
+            const Solver modes(dynamic(left), at.platform_mass);
+            Eigen::Index nearest = 0;
+            modes.eigenvalues().cwiseAbs().minCoeff(&nearest);
+            at.x = modes.eigenvectors().col(nearest);  // of norm 1 in M
+            at.stiffness = lines(left);
+            at.mass = line_inertia(lines, left, 1e-5);
+            at.converged = true;
+            if (!is_among(at, before) && (!best || likeness(at, start) > likeness(*best, start)))
+                best = std::move(at);
+        }
+        a = b, count = after;
+    }
+    return best;
+}
 
 /// One mode, from its frequency and shape with the lines' static stiffness.
 Found improved(const Matrix& K, const MassAt& mass_at, const LineStiffness& lines, double squared,
@@ -67,7 +129,13 @@ Found improved(const Matrix& K, const MassAt& mass_at, const LineStiffness& line
         at.converged = std::abs(change) <= 1e-9 * at.omega_squared;
         if (at.omega_squared <= 0.0) break;
     }
-    if (!at.converged)  // among the lines' own resonances
+    // among the lines' own resonances
+    const bool of_the_lines = !at.converged || at.x.dot(at.mass * at.x) > 1.0;
+    if (of_the_lines && squared > 0.0)
+        if (std::optional<Found> found = most_alike(K, mass_at, lines, squared, start, before);
+            found && (!at.converged || likeness(*found, start) > likeness(at, start)))
+            at = std::move(*found);
+    if (!at.converged)
         at = {.omega_squared = squared,
               .x = start,
               .mass = Matrix::Zero(K.rows(), K.cols()),

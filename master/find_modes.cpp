@@ -34,6 +34,8 @@ ModesReport find_modes(const Case& input, const ModesRequest& request) {
         report.warnings = std::move(start.notes);
         for (const Hull& hull : hulls) report.platforms.push_back(hull.name());
         report.coupled = std::move(start.modes);
+        report.rest.assign(start.equilibrium.begin(),
+                           start.equilibrium.begin() + static_cast<long>(hulls.size()));
     }
     std::vector<LineAtRest> rest = lines->at_rest();
     std::vector<int> tied;

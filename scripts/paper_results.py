@@ -56,7 +56,11 @@ class Hour:
     def __init__(self, path):
         self.file = h5py.File(path, "r")
         self.time = self.file["time"][:]
-        self.platform = list(self.file["platform"])[0]
+        platforms = list(self.file["platform"])
+        if len(platforms) != 1:
+            raise SystemExit(f"paper_figures: {path} holds {len(platforms)} platforms ({', '.join(platforms)}); the "
+                             "paper's figures are of a case with one")
+        self.platform = platforms[0]
         self.depth = float(self.file["input/geometry/seabed_depth"][()])
         self.names = [t.decode() for t in self.file["lines/names"][:]]
 

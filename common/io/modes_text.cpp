@@ -109,6 +109,11 @@ std::string line_text(const Case& input, const LineModes& line) {
     return out + table.text();
 }
 
+/// What an end moves with: the platform's name, else nothing.
+std::string end_of(const Case& input, const LineEnd& end) {
+    return end.kind == EndKind::platform ? input.platform_at(end.platform).name : "";
+}
+
 }  // namespace
 
 std::string modes_text(const Case& input, const ModesReport& report) {
@@ -172,6 +177,26 @@ std::string modes_json(const Case& input, const ModesReport& report) {
         three.add(x.x()).add(x.y()).add(x.z());
         return three;
     };
+    Json hulls = Json::array();
+    for (std::size_t k = 0; k < report.rest.size(); ++k) {
+        const Platform& its = input.platform_at(static_cast<int>(k));
+        Json members = Json::array(), plates = Json::array(), one = Json::object();
+        for (const Member& m : its.members)
+            members.add(Json::object()
+                            .put("from", point(m.from))
+                            .put("to", point(m.to))
+                            .put("diameter", m.diameter));
+        for (const Plate& p : its.plates)
+            plates.add(Json::object().put("position", point(p.position)).put("area", p.area));
+        one.put("name", report.platforms[k])
+            .put("position", point(report.rest[k].position))
+            .put("angles", point(report.rest[k].angles))
+            .put("members", std::move(members))
+            .put("plates", std::move(plates));
+        hulls.add(std::move(one));
+    }
+    if (!hulls.empty()) out.put("hulls", std::move(hulls));
+    out.put("seabed_depth", input.environment.seabed.depth);
     const auto points = [&point](const std::vector<Vec3>& at) {
         Json list = Json::array();
         for (const Vec3& x : at) list.add(point(x));
@@ -196,6 +221,8 @@ std::string modes_json(const Case& input, const ModesReport& report) {
         Json one = Json::object();
         const Line& its = input.lines[static_cast<std::size_t>(line.line)];
         one.put("name", its.name)
+            .put("end_a", end_of(input, its.end_a))
+            .put("end_b", end_of(input, its.end_b))
             .put("plane", point(plane_of(its, line.position.front(), line.position.back())))
             .put("arc_length", std::move(arc))
             .put("position", points(line.position))

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <array>
 #include <cmath>
 
 #include "coupled_modes.hpp"
@@ -115,6 +116,41 @@ TEST(CoupledModes, OfAMassOnATendonIsTheRootOfTheFrequencyEquation) {
     // Rayleigh: about a third of the tendon moves along
     EXPECT_NEAR(modes[2].line_inertia, m * L / 3 / (M + m * L / 3), 0.02);
     EXPECT_EQ(modes[2].line_stiffness, 1.0);
+}
+
+TEST(CoupledModes, AmongTheLinesOwnSwingsAreThoseWithMostOfThePlatform) {  // K:26
+    // A mass on a spring carries eleven small ones on springs of their own, S = sum k - k^2/(k - m
+    // w^2), whose frequencies lie about its own: an eigenproblem of twelve masses. Of its modes the
+    // one with most of the platform is wanted, wherever the small ones lie.
+    constexpr int n = 11;
+    constexpr double M = 1.0, K = 1.0, m = 0.03;
+    for (const double shift : {0.97, 0.985, 1.0, 1.015, 1.03}) {
+        Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n + 1, n + 1), stiffness = mass;
+        mass(0, 0) = M;
+        stiffness(0, 0) = K;
+        std::array<double, n> k{};
+        for (int i = 0; i < n; ++i) {
+            const double w = shift * (0.75 + 0.05 * i);
+            k[static_cast<std::size_t>(i)] = m * w * w;
+            mass(i + 1, i + 1) = m;
+            stiffness(0, 0) += m * w * w;
+            stiffness(i + 1, i + 1) = m * w * w;
+            stiffness(0, i + 1) = stiffness(i + 1, 0) = -m * w * w;
+        }
+        const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> exact(stiffness, mass);
+        Eigen::Index wanted = 0;
+        exact.eigenvectors().row(0).cwiseAbs().maxCoeff(&wanted);
+        const LineStiffness small = [&](double w) {
+            Mat6 S = 1e6 * Mat6::Identity();
+            S(0, 0) = 0.0;
+            for (const double each : k) S(0, 0) += each - each * each / (each - m * w * w);
+            return S;
+        };
+        const auto modes =
+            coupled_modes(Vec6::Unit(0).asDiagonal(), constant(Mat6::Identity() * M), small);
+        EXPECT_TRUE(modes[0].converged) << shift;
+        EXPECT_NEAR(modes[0].omega_squared / exact.eigenvalues()[wanted], 1.0, 1e-8) << shift;
+    }
 }
 
 }  // namespace

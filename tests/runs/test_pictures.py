@@ -101,5 +101,49 @@ class Pictures(unittest.TestCase):
         self.assertLess(coherence(), 0.5)
 
 
+    def test_a_line_that_parts_is_told_and_drawn(self):
+        run = self.run_case(CASES / "truss_spar" / "truss_spar.yml", "parted", "--duration", "20 s", "--set",
+                            "analysis.dynamics.ramp=5 s", "--set",
+                            "lines.mooring.fail={line: ml8, time: 8 s, at: 1000 m}")
+        drawn, words = self.script("plot", run)
+        self.assertEqual(words, "")
+        names = {pathlib.Path(line).stem for line in drawn.splitlines()}
+        self.assertLessEqual({"tensions", "system", "range_effective_tension", "ledger"}, names)
+        with h5py.File(run / "result.h5") as file:
+            of = [name.decode() for name in file["lines/names"][:]].index("ml8")
+            parted, arc = file["lines/parted"][:], file["line/ml8/nodes/arc_length"][:]
+            self.assertEqual(parted[of, 0], 8.0)
+            self.assertLess(abs(parted[of, 1] - 1000.0), numpy.diff(arc).max())  # at a node
+            self.assertTrue(numpy.isnan(numpy.delete(parted, of, axis=0)).all())
+            tension = file["line/ml8/end_a/effective_tension"][:]
+            self.assertLess(tension[-1], 0.5 * tension[0])
+
+    def test_modes_are_drawn_of_platforms_and_of_lines_that_lie_or_stand(self):
+        for case, choices in (("two_platforms.yml", ([], ["--platform", "buoy"], ["--line", "bm1"])),
+                              ("truss_spar/truss_spar.yml", (["--line", "ttr1", "--modes", "3"],)),
+                              ("hanging_chain.yml", ([],))):
+            report = self.folder / "modes.json"
+            report.write_text(self.program("modes", CASES / case, "--json"))
+            for choice in choices:
+                picture = self.folder / "modes.png"
+                self.script("plot_modes", report, "-o", picture, *choice)
+                self.assertGreater(picture.stat().st_size, 30_000, (case, choice))
+                picture.unlink()
+        report.write_text(self.program("modes", CASES / "two_platforms.yml", "--json"))
+        _, words = self.script("plot_modes", report, "--platform", "barge", code=1)
+        self.assertIn("no platform is called barge; there are spar, buoy", words)
+
+    def test_paper_figures_want_one_platform(self):
+        path = self.folder / "result.h5"
+        with h5py.File(path, "w") as file:
+            file["time"] = [0.0, 1.0]
+            file["platform/one/position"] = file["platform/two/position"] = numpy.zeros((2, 6))
+        done = subprocess.run([sys.executable, "-c", "import sys; sys.path.insert(0, sys.argv[1]); sys.dont_write_bytecode"
+                               " = True; import paper_results; paper_results.Hour(sys.argv[2])", SCRIPTS, path],
+                              capture_output=True, text=True)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("holds 2 platforms (one, two)", done.stderr)
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1] + sys.argv[3:])

@@ -77,13 +77,25 @@ io::CaseFile ready_case(const io::CommandLine& line) {
     return file;
 }
 
+/// A warning of the statics as one of the case: of the platform whose name it begins with.
+Problem problem_of(const std::string& warning, const Case& input) {
+    for (int k = 0; k < input.platform_count(); ++k) {
+        const Platform& platform = input.platform_at(k);
+        const std::string of = platform.name + ": ";
+        if (warning.starts_with(of))
+            return {Severity::warning, platform.key_path, warning.substr(of.size()), {}};
+    }
+    return {Severity::warning, "", warning, {}};
+}
+
 /// What `hawser check --statics` adds to a check.
 io::StaticsFound solve_statics(io::CaseFile& file) {
     io::StaticsFound found;
     for (const Adjustment& a : meet_targets(file.value, io::Link()))
         found.notes.push_back(note_of(a, file.value));
     const StaticsReport report = find_statics(file.value, {});
-    for (const std::string& warning : report.warnings) found.notes.push_back("warning: " + warning);
+    for (const std::string& warning : report.warnings)
+        found.warnings.push_back(problem_of(warning, file.value));
     found.text = io::statics_summary(file.value, report);
     found.report = io::statics_json(file.value, report);
     return found;

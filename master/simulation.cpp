@@ -75,6 +75,7 @@ ExitCode Simulation::run() {
 void Simulation::coupled() {
     const StaticStart start = static_start(input_, hulls_, lines_);
     for (const std::string& note : start.notes) report_.warn(note);
+    doubts_ = start.notes;
     keep_statics(start.equilibrium, start.at_rest);
     std::vector<const Hull*> platforms;
     for (std::size_t k = 0; k < hulls_.size(); ++k) {

@@ -77,6 +77,7 @@ class Simulation {
     LoopClock clock_;
     std::optional<io::StaticState> statics_;
     std::vector<std::vector<io::Fact>> platform_facts_;
+    std::vector<std::string> doubts_;  ///< of the static start
     std::vector<io::ImpulseMismatch> impulses_;
     Order last_;  ///< the order that ends the run, with the flags of the last step
     double t_ = 0.0;

@@ -68,6 +68,7 @@ io::RunRecord Simulation::record(ExitCode code, const std::string& message,
     for (const PlatformLedger& ledger : ledgers_)
         if (ledger.started()) r.ledgers.push_back(ledger.table());
     r.platforms = platform_facts_;
+    r.doubts = doubts_;
     r.performance = performance_facts(times, t_, lines_.orders());
     return r;
 }

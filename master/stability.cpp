@@ -65,8 +65,9 @@ std::vector<std::string> stability_warnings(const Stability& s, const std::strin
     if (!s.stable())
         out.push_back(fmt::format(
             "{}: the equilibrium is not stable in {}: the stiffness of platform and lines is "
-            "negative there, a run will leave it; look at the centre of gravity (GM of the hull "
-            "alone: roll {:.2f} m, pitch {:.2f} m)",
+            "negative there; a run leaves it once anything pushes that way, and stands there only "
+            "while nothing does; look at the centre of gravity (GM of the hull alone: roll "
+            "{:.2f} m, pitch {:.2f} m)",
             name, joined(s.unstable), s.hull_GM_roll, s.hull_GM_pitch));
     else if (s.hull_GM_roll < 0.0 || s.hull_GM_pitch < 0.0)
         out.push_back(fmt::format(

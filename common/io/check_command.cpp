@@ -49,15 +49,19 @@ int check_statics(const CommandLine& line, CaseFile& file, const SolveStatics& s
     const std::string name = line.case_file.string();
     Json report = json(name, file.problems);
     try {
-        const StaticsFound found = solve(file);
+        StaticsFound found = solve(file);
+        locate(found.warnings, file);
+        Problems all = file.problems;
+        all.insert(all.end(), found.warnings.begin(), found.warnings.end());
         if (line.json) {
+            report = json(name, all);
             report.put("equilibrium", true).put("statics", found.report);
             print(report);
             return static_cast<int>(ExitCode::done);
         }
         for (const std::string& note : found.notes) fmt::print(stderr, "{}\n", note);
-        fmt::print("{}: valid. {} It has a static equilibrium.\n{}", name, count(file.problems),
-                   found.text);
+        for (const Problem& warning : found.warnings) fmt::print(stderr, "{}\n", format(warning));
+        fmt::print("{}: valid. {} It has a static equilibrium.\n{}", name, count(all), found.text);
         return static_cast<int>(ExitCode::done);
     } catch (const RunError& error) {
         if (line.json) {

@@ -20,7 +20,8 @@ CaseFile read_and_check(const std::filesystem::path& path, const Overrides& over
 struct StaticsFound {
     std::string text;                ///< the summary, for people
     Json report;                     ///< the same as JSON
-    std::vector<std::string> notes;  ///< lengths and radii that meet targets, warnings
+    std::vector<std::string> notes;  ///< lengths and radii that meet targets
+    Problems warnings;               ///< without places
 };
 using SolveStatics = std::function<StaticsFound(CaseFile&)>;
 

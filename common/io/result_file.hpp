@@ -48,6 +48,7 @@ struct RunRecord {
     bool complete = false;  ///< false: stopped or failed on the way
     std::string outcome;    ///< one line for people: "done", or what went wrong
     std::optional<StaticState> statics;
+    std::vector<std::string> doubts;        ///< that the static start left, `NAME: sentence`
     std::vector<Adjustment> adjustments;    ///< that statics made to `input`
     std::vector<LedgerTable> ledgers;       ///< of each platform; empty: not kept
     std::vector<ImpulseMismatch> impulses;  ///< of each line with constraints, the largest

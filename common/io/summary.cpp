@@ -110,6 +110,9 @@ std::string platform_text(const RunRecord& record, std::size_t k) {
                cell(x[1], 6, 2) + ", heave" + cell(x[2], 6, 2) + " m, roll" + cell(q[0], 6, 2) +
                ", pitch" + cell(q[1], 6, 2) + ", yaw" + cell(q[2], 6, 2) + " deg\n";
     }
+    for (const std::string& doubt : record.doubts)
+        if (doubt.starts_with(platform.name + ": "))
+            out += "! " + doubt.substr(platform.name.size() + 2) + "\n";
     return out;
 }
 

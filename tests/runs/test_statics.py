@@ -299,7 +299,12 @@ class Check(unittest.TestCase):
         self.assertIn("its unit", said)
         done = hawser("check", SPAR, "--statics", "--set", "platform.mass=97000 t")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("warning: spar: weight", done.stderr)
+        self.assertRegex(done.stderr, r"truss_spar.yml:\d+:\d+: warning: platform: weight")
+        self.assertIn("1 warning. It has a static equilibrium", done.stdout)
+        told = json.loads(hawser("check", SPAR, "--statics", "--json", "--set",
+                                 "platform.mass=97000 t").stdout)
+        self.assertEqual(told["warnings"], 1)
+        self.assertTrue(any("weight" in p["message"] for p in told["problems"]))
 
     def test_refuses_what_no_line_can_be(self):
         said = self.refused(CHAIN, "lines.chain.end_b={anchor: {position: [330 m, 0 m]}}")
@@ -315,6 +320,13 @@ class Check(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("not stable in", done.stderr)
         self.assertIn("NOT STABLE in", done.stdout)
+        with tempfile.TemporaryDirectory() as folder:
+            run = hawser("run", HEAVE, "--out", folder + "/run", "--set",
+                         "platform.centre_of_gravity=[0, 0, -40 m]", "--set",
+                         "analysis.dynamics.duration=2 s")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            with open(folder + "/run/summary.txt", encoding="utf-8") as summary:
+                self.assertIn("! the equilibrium is not stable in", summary.read())
 
 
 if __name__ == "__main__":

@@ -133,6 +133,15 @@ class Pictures(unittest.TestCase):
         _, words = self.script("plot_modes", report, "--platform", "barge", code=1)
         self.assertIn("no platform is called barge; there are spar, buoy", words)
 
+    def test_hydrodynamic_data_are_drawn(self):
+        report = self.folder / "hydro.json"
+        report.write_text(self.program("hydro", "info", CASES / "oc3_hywind" / "hydro" / "oc3_hywind", "--json"))
+        drawn, _ = self.script("plot_hydro", report, "-o", self.folder / "oc3")
+        self.assertEqual([pathlib.Path(line).name for line in drawn.splitlines()],
+                         ["oc3_radiation.png", "oc3_excitation.png", "oc3_drift.png"])
+        for line in drawn.splitlines():
+            self.assertGreater(pathlib.Path(line).stat().st_size, 30_000, line)
+
     def test_paper_figures_want_one_platform(self):
         path = self.folder / "result.h5"
         with h5py.File(path, "w") as file:

@@ -83,6 +83,12 @@ class Pictures(unittest.TestCase):
         _, words = self.script("plot_rao", self.folder / "far", code=2)
         self.assertIn("platform/far/elevation was not recorded: far is designed to be at x = 1500, y = -1300 m", words)
 
+    def test_a_sweep_tells_the_resonance_between_its_waves(self):
+        runs = [self.column(f"T{T}", "0, 0", f"{{type: airy, H: 0.2 m, T: {T} s, heading: 0}}") for T in (6, 8, 11)]
+        _, words = self.script("plot_rao", *runs, "-o", self.folder / "rao.png", "--csv", self.folder / "rao.csv")
+        self.assertRegex(words, "heave: the natural period of [89].* s lies between the waves of 8 and 11 s; the peak there "
+                         "is not seen")
+
     def test_random_waves_far_from_the_origin_stay_coherent(self):
         """Over 2 km a group of 8 s waves takes five minutes, longer than a window of two: with the elevation at the
         origin nothing would be coherent."""

@@ -11,7 +11,7 @@ namespace hawser::master {
 ///
 ///     F(t) = Q_z Re sum_i a_i X_i(b_i - yaw) e^{i (w_i t - k_i (x cos b_i + y sin b_i) + eps_i)}
 ///
-/// Q_z turns by yaw alone. @param phases  set_wave_phases() at the same position
+/// Q_z turns by yaw alone. @param phases  WavePhases at the same position
 Vec6 excitation_load(const ComponentTable<CVec6>& table,
                      const std::vector<WaveComponent>& components,
                      const std::vector<Complex>& phases, double yaw);

@@ -9,7 +9,6 @@
 #include "status.hpp"
 #include "user_damping.hpp"
 #include "user_stiffness.hpp"
-#include "wave_phases.hpp"
 
 namespace hawser::master {
 
@@ -108,6 +107,7 @@ Hull::Hull(const Case& c, const Platform& p, const HydroData* data)
       forces_(p.forces, ramp_),
       held_(p.held()),
       place_{.position = design_ + p.initial.position, .angles = p.initial.angles},
+      wave_phases_(sea_.components()),
       phases_(sea_.components().size()),
       slow_phases_(sea_.components().size()) {
     const Hydrodynamics& h = p.hydrodynamics;
@@ -180,13 +180,13 @@ HullLoads Hull::loads(double t, const State& s) const {
 
     if (!excitation_.empty()) {  // K:8
         const WavePosition slow = slow_position(s);
-        set_wave_phases(sea_.components(), t, slow, slow_phases_);
+        wave_phases_.set(t, slow, slow_phases_);
         if (wave_phase_ == WavePhase::slow) {
             loads[Load::wave1] =
                 r * excitation_load(excitation_, sea_.components(), slow_phases_, slow.yaw);
         } else {
             const WavePosition here = instantaneous_position(s);
-            set_wave_phases(sea_.components(), t, here, phases_);
+            wave_phases_.set(t, here, phases_);
             loads[Load::wave1] =
                 r * excitation_load(excitation_, sea_.components(), phases_, here.yaw);
         }
@@ -299,7 +299,7 @@ Vec6 Hull::static_load(const PlatformMotion& pose, const Statics& which) const {
     load += forces_.static_load(R);
     if (which.drift_mean && !mean_drift_.empty()) {
         const WavePosition at{pose.position.x(), pose.position.y(), pose.angles.z()};
-        set_wave_phases(sea_.components(), 0.0, at, slow_phases_);
+        wave_phases_.set(0.0, at, slow_phases_);
         load += drift_load(mean_drift_, sea_.components(), slow_phases_, at.yaw).mean;
     }
     return load;

@@ -23,6 +23,7 @@
 #include "rigid_body.hpp"
 #include "second_order.hpp"
 #include "state.hpp"
+#include "wave_phases.hpp"
 #include "wind_load.hpp"
 
 namespace hawser::master {
@@ -176,6 +177,7 @@ class Hull {
     Held held_;
     PlatformMotion place_;  ///< of held motions
     std::optional<PrescribedPath> path_;
+    WavePhases wave_phases_;
     mutable std::vector<Complex> phases_, slow_phases_;  ///< workspaces of one call
 };
 

@@ -138,9 +138,11 @@ MemberLoad MemberLoads::static_load(const Sea& sea, double current_factor,
 void MemberLoads::add_current_to(MemberLoad& sum, const Sea& sea, double current_factor,
                                  const PlatformMotion& pose, const Mat3& R,
                                  bool with_buoyancy) const {
+    if (!sea.has_current() && !with_buoyancy) return;
     for (std::size_t i = 0; i < strips_.size(); ++i) {
         const Strip& strip = strips_[i];
         const Member& m = members_[strip.member];
+        if (!m.current && !with_buoyancy) continue;
         const Vec3 axis = R * strip.axis;
         const Vec3 middle = R * strip.middle;
         const Wetting wet = wetting(strip, axis.z(), pose.position.z() + middle.z(), 0.0);

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "lanes.hpp"
+#include "vector_math.hpp"
+
 namespace hawser::master {
 
 namespace {
@@ -44,15 +47,55 @@ std::vector<Strip> strips_of(const std::vector<Member>& members, double longest)
 
 namespace {
 
-// Gauss-Legendre on -1 ... 1.
-constexpr std::array<std::array<double, 2>, 3> few{
-    {{-0.7745966692414834, 5.0 / 9.0}, {0.0, 8.0 / 9.0}, {0.7745966692414834, 5.0 / 9.0}}};
-constexpr std::array<std::array<double, 2>, 6> many{{{0.1252334085114689, 0.2491470458134028},
-                                                     {0.3678314989981802, 0.2334925365383548},
-                                                     {0.5873179542866175, 0.2031674267230659},
-                                                     {0.7699026741943047, 0.1600783285433462},
-                                                     {0.9041172563704749, 0.1069393259953184},
-                                                     {0.9815606342467193, 0.0471753363865118}}};
+using Batch = Lanes<4>;
+
+/// Gauss-Legendre with 12 points over an angle phi of -pi/2 ... pi/2: sin(phi), and the weight for
+/// the integral over sin(phi).
+struct Angles {
+    std::array<Batch, 3> sine, weight;
+
+    Angles() {
+        constexpr std::array<std::array<double, 2>, 6> gauss{
+            {{0.1252334085114689, 0.2491470458134028},
+             {0.3678314989981802, 0.2334925365383548},
+             {0.5873179542866175, 0.2031674267230659},
+             {0.7699026741943047, 0.1600783285433462},
+             {0.9041172563704749, 0.1069393259953184},
+             {0.9815606342467193, 0.0471753363865118}}};
+        for (std::size_t k = 0; k < 12; ++k) {
+            const auto& [x, w] = gauss[k / 2];
+            const double phi = (k % 2 == 0 ? -0.5 : 0.5) * M_PI * x;
+            const int lane = static_cast<int>(k % 4);
+            sine[k / 4].set(lane, std::sin(phi));
+            weight[k / 4].set(lane, 0.5 * M_PI * w * std::cos(phi));
+        }
+    }
+};
+const Angles angles;
+
+/// Coefficients of asin x = sum_n c_n x^(2n+1), c_n = (2n)!/(4^n n!^2 (2n+1)).
+consteval std::array<double, 17> arc_sine_series() {
+    std::array<double, 17> c{};
+    double binomial = 1.0;  // (2n)!/(4^n n!^2)
+    for (int n = 0; n < 17; ++n) {
+        c[static_cast<std::size_t>(n)] = binomial / (2 * n + 1);
+        binomial *= (2 * n + 1.0) / (2 * n + 2.0);
+    }
+    return c;
+}
+
+/// asin u, root = sqrt(1 - u^2): four times that of a quarter of the angle, which is at most pi/8.
+/// The series then ends at 1e-16.
+Batch arc_sine(Batch u, Batch root) {
+    constexpr std::array<double, 17> c = arc_sine_series();
+    const Batch half_cosine = sqrt(Batch(0.5) * (Batch(1.0) + root));
+    const Batch half_sine = u / (Batch(2.0) * half_cosine);
+    const Batch x = half_sine / sqrt(Batch(2.0) * (Batch(1.0) + half_cosine));
+    const Batch q = x * x;
+    Batch series = c.back();
+    for (std::size_t n = c.size() - 1; n-- > 0;) series = series * q + Batch(c[n]);
+    return Batch(4.0) * x * series;
+}
 
 /// Sums over the sections of one strip.
 struct Sections {
@@ -64,33 +107,63 @@ struct Sections {
     [[nodiscard]] double y(double s) const { return depth - axis_z * s; }
     [[nodiscard]] double r(double s) const { return strip.radius + strip.taper * s; }
 
-    void add(double s, double f, double ds) {
-        const double area = M_PI * r(s) * r(s);
-        length += f * ds;
-        length_moment += f * s * ds;
-        drag_area += f * (strip.width + strip.width_taper * s) * ds;
-        volume += f * area * ds;
-        volume_moment += f * area * s * ds;
-    }
     void add_whole(double a, double b) {
-        for (const auto& [x, w] : few)
-            add(0.5 * (a + b) + 0.5 * (b - a) * x, 1.0, 0.5 * (b - a) * w);
+        add_from_middle(b, 1.0);
+        add_from_middle(a, -1.0);
     }
     void add_cut(double a, double b) {  // s = middle + half sin(phi)
-        for (const auto& [x, w] : many)
-            for (const double side : {-1.0, 1.0}) {
-                const double phi = 0.5 * M_PI * side * x;
-                const double s = 0.5 * (a + b) + 0.5 * (b - a) * std::sin(phi);
-                const double ds = 0.5 * (b - a) * std::cos(phi) * 0.5 * M_PI * w;
-                const double radius = r(s), c = radius * sine;
-                const double u = c > 0.0 ? std::clamp(y(s) / c, -1.0, 1.0) : 0.0;
-                const double root = std::sqrt((1.0 - u) * (1.0 + u));
-                add(s, 0.5 + (u * root + std::asin(u)) / M_PI, ds);
-                up_moment -= 2.0 / 3.0 * radius * radius * radius * root * root * root * ds;
-                waterplane += 2.0 * radius * root * ds / sine;
-            }
+        Batch l, l1, d, v, v1, up, plane;
+        for (std::size_t k = 0; k < angles.sine.size(); ++k) {
+            const Batch s = Batch(0.5 * (a + b)) + Batch(0.5 * (b - a)) * angles.sine[k];
+            const Batch ds = Batch(0.5 * (b - a)) * angles.weight[k];
+            const Batch radius = Batch(strip.radius) + Batch(strip.taper) * s;
+            const Batch c = radius * Batch(sine), y = Batch(depth) - Batch(axis_z) * s;
+            const Batch u =
+                select(c > Batch(0.0), max(Batch(-1.0), min(Batch(1.0), y / c)), Batch(0.0));
+            const Batch root = sqrt((Batch(1.0) - u) * (Batch(1.0) + u));
+            const Batch f = Batch(0.5) + Batch(1.0 / M_PI) * (u * root + arc_sine(u, root));
+            const Batch wet = f * ds, area = Batch(M_PI) * radius * radius;
+            l += wet;
+            l1 += wet * s;
+            d += wet * (Batch(strip.width) + Batch(strip.width_taper) * s);
+            v += wet * area;
+            v1 += wet * area * s;
+            const Batch chord = radius * root;
+            up += chord * chord * chord * ds;
+            plane += chord * ds;
+        }
+        length += sum(l);
+        length_moment += sum(l1);
+        drag_area += sum(d);
+        volume += sum(v);
+        volume_moment += sum(v1);
+        up_moment -= 2.0 / 3.0 * sum(up);
+        waterplane += 2.0 / sine * sum(plane);
+    }
+
+    /// Adds the integrals over whole sections from the strip's middle to s, times `sign`.
+    void add_from_middle(double s, double sign) {
+        const double a0 = M_PI * strip.radius * strip.radius,
+                     a1 = 2.0 * M_PI * strip.radius * strip.taper,
+                     a2 = M_PI * strip.taper * strip.taper;  // area = a0 + a1 s + a2 s^2
+        length += sign * s;
+        length_moment += sign * s * s / 2;
+        drag_area += sign * s * (strip.width + s * strip.width_taper / 2);
+        volume += sign * s * (a0 + s * (a1 / 2 + s * a2 / 3));
+        volume_moment += sign * s * s * (a0 / 2 + s * (a1 / 3 + s * a2 / 4));
     }
 };
+
+Wetting whole_strip(const Strip& strip) {
+    const double half = 0.5 * strip.length;
+    Sections sum{.strip = strip, .axis_z = 0.0, .depth = 0.0, .sine = 0.0};
+    sum.add_whole(-half, half);
+    return {.length = strip.length,
+            .drag_area = sum.drag_area,
+            .volume = sum.volume,
+            .along = sum.volume > 0.0 ? sum.volume_moment / sum.volume : 0.0,
+            .whole = true};
+}
 
 }  // namespace
 
@@ -102,6 +175,11 @@ Wetting wetting(const Strip& strip, double axis_z, double middle_z, double eta) 
                  .axis_z = axis_z,
                  .depth = eta - middle_z,
                  .sine = sine > upright ? sine : 0.0};
+    // Most strips are far from the surface: y >= c or y <= -c at both ends, so everywhere.
+    if (sum.depth >= sum.sine * strip.radius + half * std::abs(axis_z + sum.sine * strip.taper))
+        return whole_strip(strip);
+    if (sum.depth <= -sum.sine * strip.radius - half * std::abs(axis_z - sum.sine * strip.taper))
+        return {};
     // Where the surface meets the upper and the lower edge of the section: y = c, y = -c.
     std::array<double, 4> at{-half, -half, half, half};
     for (const std::size_t k : {std::size_t{1}, std::size_t{2}}) {

@@ -31,7 +31,7 @@ class QuadraticLoad {
     QuadraticLoad(const Qtf& qtf, Of of, const std::vector<WaveComponent>& components);
 
     /// Force and moment about O on world axes [N, N.m], without the ramp.
-    /// @param phases  set_wave_phases() at the slow position, whose yaw is given
+    /// @param phases  WavePhases at the slow position, whose yaw is given
     [[nodiscard]] Vec6 load(const std::vector<Complex>& phases, double yaw) const;
 
     /// Re Q(w, w, b, b), interpolated in frequency as above, at the frequencies of the sea: what a

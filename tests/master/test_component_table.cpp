@@ -71,7 +71,7 @@ TEST(Headings, HullTurnedByWholeTurnsFeelsTheSameExcitationAndDrift) {
         drift.headings.push_back({h.heading, {h.values[0].real(), h.values[1].imag()}});
     const ComponentTable<Vec6> drifts(drift, waves);
     std::vector<Complex> phases(2);
-    set_wave_phases(waves, 3.0, {.x = 5.0, .y = -2.0}, phases);
+    WavePhases(waves).set(3.0, {.x = 5.0, .y = -2.0}, phases);
     for (double yaw = -3.1; yaw < 3.2; yaw += 0.37) {
         const Vec6 once = excitation_load(table, waves, phases, yaw);
         const DriftLoad drifted = drift_load(drifts, waves, phases, yaw);
@@ -92,7 +92,7 @@ TEST(Headings, LoadsAreSmoothAcrossThe180OfYawAndOfTheTable) {
     const std::vector<WaveComponent> waves{{1.0, 0.5, 0.03, 0.4, 0.0}, {1.0, 0.6, 0.04, 2.0, 0.1}};
     const ComponentTable<CVec6> table(lopsided(), waves);
     std::vector<Complex> phases(2);
-    set_wave_phases(waves, 1.0, {}, phases);
+    WavePhases(waves).set(1.0, {}, phases);
     const double from = 170 * M_PI / 180, step = 2e-4;
     Vec6 before = excitation_load(table, waves, phases, from), slope_before = Vec6::Zero();
     for (int i = 1; i * step < 20 * M_PI / 180; ++i) {

@@ -98,7 +98,7 @@ struct PaperSea {
     [[nodiscard]] double D(std::size_t i) const { return table.at(static_cast<int>(i), ahead)[0]; }
     [[nodiscard]] DriftLoad at(double t) const {
         std::vector<Complex> phases(components.size());
-        set_wave_phases(components, t, {}, phases);
+        WavePhases(components).set(t, {}, phases);
         return drift_load(table, components, phases, 0);
     }
 };

@@ -94,7 +94,7 @@ TEST(FullQtf, IsTheDoubleSumOverAllPairsOfComponents) {  // K:11, K:12
         std::vector<Complex> phases(components.size());
         for (const WavePosition at : {WavePosition{}, WavePosition{31.0, -4.0, 0.0}})
             for (const double t : {0.0, 17.3, 4321.5}) {
-                set_wave_phases(components, t, at, phases);
+                WavePhases(components).set(t, at, phases);
                 const Vec6 pairs = double_sum(of, components, phases,
                                               [&](const WaveComponent& a, const WaveComponent& b) {
                                                   return formula(of, a.omega, b.omega, 0, 0);
@@ -124,7 +124,7 @@ TEST(FullQtf, TwoWavesForceAtTheirDifferenceTheirSumAndTheirDoubles) {
     std::vector<Complex> phases(2);
     const auto at = [&](const QuadraticLoad& load, int mode) {
         return [&, mode](double t) {
-            set_wave_phases(components, t, {}, phases);
+            WavePhases(components).set(t, {}, phases);
             return load.load(phases, 0)[mode];
         };
     };
@@ -163,9 +163,9 @@ TEST(FullQtf, TurnsWithWavesAndHull) {
         const Qtf qtf = qtf_of_formula(of, {{-60 * degree, 0.0, 60 * degree}});
         const QuadraticLoad first(qtf, of, ahead), second(qtf, of, turned);
         std::vector<Complex> phases(ahead.size()), others(ahead.size());
-        set_wave_phases(ahead, 77, {12, 5, 0}, phases);
+        WavePhases(ahead).set(77, {12, 5, 0}, phases);
         const Vec3 place = turned_by_yaw(Vec3(12, 5, 0), turn);
-        set_wave_phases(turned, 77, {place.x(), place.y(), turn}, others);
+        WavePhases(turned).set(77, {place.x(), place.y(), turn}, others);
         const Vec6 force = first.load(phases, 0);
         EXPECT_LT((second.load(others, turn) - turned_by_yaw(force, turn)).norm(),
                   1e-9 * force.norm());
@@ -186,7 +186,7 @@ std::vector<WaveComponent> two_headings() {
 TEST(FullQtf, CrossedSeasTakeTheFilesOwnPairsOfHeadings) {
     const auto components = two_headings();
     std::vector<Complex> phases(components.size());
-    set_wave_phases(components, 33, {}, phases);
+    WavePhases(components).set(33, {}, phases);
     for (const Of of : {Of::differences, Of::sums}) {
         const std::vector<double> headings{-60 * degree, 0.0, 60 * degree};
         const QuadraticLoad quadratic(qtf_of_formula(of, {headings}), of, components);
@@ -230,7 +230,7 @@ TEST(FullQtf, IsNewmansForceForNewmansFunction) {
     const ComponentTable<Vec6> diagonal(quadratic.diagonal(), components);
     std::vector<Complex> phases(components.size());
     for (const double t : {0.0, 250.0}) {
-        set_wave_phases(components, t, {7, 3, 0.02}, phases);
+        WavePhases(components).set(t, {7, 3, 0.02}, phases);
         const DriftLoad newman = drift_load(table, components, phases, 0.02);
         EXPECT_LT((quadratic.load(phases, 0.02) - newman.slow).norm(), 1e-9 * newman.slow.norm());
         EXPECT_LT((drift_load(diagonal, components, phases, 0.02).mean - newman.mean).norm(),
@@ -284,13 +284,13 @@ TEST(FullQtf, MeanAndVarianceAreThoseOfTheSpectrum) {  // validation section C
         const QuadraticLoad quadratic(qtf, Of::differences, components);
         const ComponentTable<Vec6> diagonal(quadratic.diagonal(), components);
         std::vector<Complex> phases(components.size());
-        set_wave_phases(components, 0, {}, phases);
+        WavePhases(components).set(0, {}, phases);
         const double constant = drift_load(diagonal, components, phases, 0).mean[0];
         // A hundred components sample the spectrum within 1 %, the interpolation within 0.2 %.
         EXPECT_NEAR(constant / mean, 1, 0.01);
         found_mean += constant / seas;
         for (int i = 0; i < n; ++i) {
-            set_wave_phases(components, 3.7 * i, {}, phases);
+            WavePhases(components).set(3.7 * i, {}, phases);
             found_variance += std::pow(quadratic.load(phases, 0)[0] - constant, 2) / (n * seas);
         }
     }
@@ -348,7 +348,7 @@ TEST(FullQtf, ActsOnTheHullAsDriftAndWave2) {
     std::vector<Complex> phases(components.size());
     State s = hull.start({.position = {3, 1, 0}}, {.position = {3, 1, 0}});
     const auto sum_at = [&](Of of, double t) {
-        set_wave_phases(components, t, {3, 1, 0}, phases);
+        WavePhases(components).set(t, {3, 1, 0}, phases);
         return double_sum(of, components, phases,
                           [&](const WaveComponent& a, const WaveComponent& b) {
                               return formula(of, a.omega, b.omega, 0, 0);

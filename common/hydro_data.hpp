@@ -63,6 +63,13 @@ struct MeanDrift {
     WaveTable<Vec6> table;
 };
 
+/// What the reader doubts, and the line of a file that shows it; 0: the file as a whole.
+struct HydroDoubt {
+    std::string file;
+    int line = 0;
+    std::string sentence;
+};
+
 struct HydroData {
     std::string source;    ///< "WAMIT", "Capytaine" ... with the file or stem
     double gravity = 0.0;  ///< that made the files dimensional [m/s2]
@@ -93,10 +100,12 @@ struct HydroData {
     WaveTable<Vec6> mean_drift;  ///< D(w, b) per amplitude squared [N/m2, N.m/m2]
     DriftMethod drift_method = DriftMethod::momentum;
     bool drift_is_horizontal = false;    ///< from a .8: heave, roll and pitch drift are zero
+    bool drift_is_of_qtf = false;        ///< no file of it: the diagonal of the difference QTF
     std::vector<MeanDrift> other_drift;  ///< the same by other methods, where the files have it
     Qtf difference, sum;
 
-    std::vector<std::string> notes;  ///< what the reader worked out or doubts, one sentence each
+    std::vector<std::string> notes;  ///< what the reader worked out, one sentence each
+    std::vector<HydroDoubt> doubts;
 };
 
 }  // namespace hawser

@@ -212,6 +212,25 @@ void look_about(const Case& input, const std::vector<Hull>& hulls,
     }
 }
 
+/// The Runge-Kutta step takes from an oscillation the part (w D)^5 / 288 of critical damping and
+/// has no bound beyond w D = 2.83: a natural period shorter than six steps is told.
+void look_at_step(const Case& input, const std::vector<Hull>& hulls, StaticStart& out) {
+    const double D = input.analysis.dynamics.platform_step;
+    for (const CoupledMode& mode : out.modes) {
+        const std::optional<double> period = mode.period();
+        if (mode.held || !period || *period >= 6.0 * D) continue;
+        const double wD = 2 * M_PI * D / *period;
+        out.notes.push_back(fmt::format(
+            "{}: the platform step of {:.4g} s is long for the natural period in {} of {:.4g} s: "
+            "{}; expected a sixth of it at most",
+            hulls[static_cast<std::size_t>(mode.platform)].name(), D,
+            motion_names[static_cast<std::size_t>(mode.motion)], *period,
+            wD > 2.8 ? std::string("a run would be unstable")
+                     : fmt::format("the scheme adds {:.2g} % of critical damping",
+                                   100 * std::pow(wD, 5) / 288)));
+    }
+}
+
 /// Adds what `initial` says to the motions that are not held.
 Poses with_initial(const Case& input, const std::vector<Hull>& hulls, const Poses& rest) {
     Poses out = rest;
@@ -293,6 +312,7 @@ StaticStart static_start(const Case& input, std::vector<Hull>& hulls, Lines& lin
     out.at_rest = rest.lines;
     out.iterations = rest.iterations;
     look_about(input, hulls, bodies, lines, out);
+    look_at_step(input, hulls, out);
 
     out.start = with_initial(input, hulls, rest.pose);
     out.lines = std::move(rest.lines);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "environment/wave_components.hpp"
 #include "status.hpp"
@@ -50,6 +51,16 @@ std::string called(const Case& input, const Platform& p) {
     return input.platform_count() > 1 ? p.name : "the platform";
 }
 
+/// "the 0 to 180 deg of the database's excitation"
+template <class Value>
+std::string headings_of(const WaveTable<Value>& table, const std::string& what) {
+    const double first = table.headings.front().heading / degree,
+                 last = table.headings.back().heading / degree;
+    if (table.headings.size() == 1)
+        return fmt::format("the one heading, {:.4g} deg, of the database's {}", first, what);
+    return fmt::format("the {:.4g} to {:.4g} deg of the database's {}", first, last, what);
+}
+
 template <class Value>
 void check_waves(const Case& input, const WaveTable<Value>& table, double yaw,
                  const std::string& what, const std::string& of, Problems& problems) {
@@ -67,16 +78,19 @@ void check_waves(const Case& input, const WaveTable<Value>& table, double yaw,
                 outside += a2;
             if (told || covers(table, c.heading - yaw)) continue;
             told = true;
+            const double train = e.waves[i].heading;
+            const bool spread = std::abs(std::remainder(c.heading - train, turn)) > rounding;
             problems.push_back(
                 {Severity::error,
                  path + ".heading",
-                 fmt::format(
-                     "waves meet {} from a heading of {:.4g} deg, outside the "
-                     "{:.4g} to {:.4g} deg of the database's {}; headings are never "
-                     "extrapolated: compute more of them, or state the symmetry of the hull",
-                     of, std::remainder(c.heading - yaw, turn) / degree,
-                     table.headings.front().heading / degree,
-                     table.headings.back().heading / degree, what),
+                 fmt::format("waves{} meet {} at a heading of {:.4g} deg, outside {}; headings are "
+                             "never extrapolated: compute more of them, or state the symmetry of "
+                             "the hull",
+                             spread ? fmt::format(" spread about {:.4g} deg",
+                                                  std::remainder(train - yaw, turn) / degree)
+                                    : std::string(),
+                             of, std::remainder(c.heading - yaw, turn) / degree,
+                             headings_of(table, what)),
                  {}});
         }
     }
@@ -196,6 +210,79 @@ void check_displacement(const Case& input, const Platform& p, double volume, Pro
             "auto needs buoyancy: a database or members that displace water");
 }
 
+void check_size(const Case& input, const Platform& p, const HydroData* data, Problems& problems) {
+    const double rho = input.environment.water.density;
+    const double volume =
+        displaced_mass(input, p, data != nullptr ? data->displaced_volume : 0.0) / rho;
+    if (volume <= 0.0) return;
+    double draft = p.draft.value_or(0.0), length = std::cbrt(volume);
+    for (const Member& m : p.members) {
+        draft = std::max({draft, -m.from.z(), -m.to.z()});
+        length = std::max({length, m.from.norm(), m.to.norm(), (m.to - m.from).norm()});
+    }
+    const auto say = [&](Severity severity, const char* key, std::string message) {
+        problems.push_back({severity, p.key_path + key, std::move(message), {}});
+    };
+    if (data != nullptr && data->displaced_volume > 0.0) {
+        const double z_B = data->centre_of_buoyancy.z(),
+                     area = data->waterplane_stiffness(0, 0) / (data->density * data->gravity);
+        length = std::max(length, -2.0 * z_B);
+        if (area > 0.0)
+            length =
+                std::max({length, data->displaced_volume / area, 2.0 * std::sqrt(area / M_PI)});
+        const char* of = p.draft ? ".draft" : ".members";
+        // The centre of buoyancy of the database must lie inside the hull; no hull is all keel.
+        if (draft > 0.0 && p.members.empty() && (z_B <= -draft || z_B > 0.0))
+            say(Severity::error, of,
+                fmt::format("the keel is at -{:.4g} m, but the centre of buoyancy of the database "
+                            "is at {:.4g} m: expected it between keel and waterline",
+                            draft, z_B));
+        else if (draft > 0.0 && p.members.empty() && (z_B < -0.85 * draft || z_B > -0.15 * draft))
+            say(Severity::warning, of,
+                fmt::format("{:.4g} m, with the centre of buoyancy of the database at {:.4g} m: "
+                            "hardly any hull has it so near to {}",
+                            draft, z_B, z_B < -0.5 * draft ? "the keel" : "the waterline"));
+    }
+    length = std::max(length, draft);
+    Vec3 radii = p.radii_of_gyration;
+    if (p.inertia && p.mass) radii = (p.inertia->diagonal() / *p.mass).cwiseMax(0.0).cwiseSqrt();
+    const char* names[3] = {"roll", "pitch", "yaw"};
+    for (int i = 0; i < 3; ++i) {
+        if (radii[i] <= 0.0 || (radii[i] >= 0.05 * std::cbrt(volume) && radii[i] <= 2.5 * length))
+            continue;
+        say(Severity::warning, p.inertia ? ".inertia" : ".radii_of_gyration",
+            fmt::format("a radius of gyration in {} of {:.4g} m is hardly that of a hull of {:.4g} "
+                        "m3 whose largest dimension is about {:.3g} m; look at its unit",
+                        names[i], radii[i], volume, length));
+    }
+}
+
+void check_steps_of_waves(const Case& input, Problems& problems) {
+    const Environment& e = input.environment;
+    const double step = input.analysis.dynamics.platform_step, shortest = 6.0 * step;
+    double energy = 0.0, of_short = 0.0, least = std::numeric_limits<double>::infinity();
+    try {
+        for (const WaveTrain& train : e.waves)
+            for (const WaveComponent& c : wave_components(train, e.seabed.depth, e.water.gravity)) {
+                const double a2 = c.amplitude * c.amplitude, period = turn / c.omega;
+                energy += a2;
+                if (period >= shortest * (1 - 1e-9)) continue;
+                of_short += a2;
+                least = std::min(least, period);
+            }
+    } catch (const RunError&) {
+        return;  // told by whoever makes the waves
+    }
+    if (of_short <= 0.05 * energy) return;
+    problems.push_back(
+        {Severity::warning,
+         "analysis.dynamics.steps.platform",
+         fmt::format("{:.4g} s, but {:.3g} % of the waves' energy has periods below six steps "
+                     "(down to {:.4g} s): the platform's motion in them is not resolved",
+                     step, 100 * of_short / energy, least),
+         {}});
+}
+
 void check_coverage(const Case& input, const Platform& p, const HydroData& data,
                     Problems& problems) {
     const Environment& e = input.environment;
@@ -228,6 +315,12 @@ void check_coverage(const Case& input, const Platform& p, const HydroData& data,
             check_qtf(input, p, data, problems);
             return;
         }
+        if (data.drift_is_of_qtf)
+            problems.push_back({Severity::note,
+                                p.key_path + ".hydrodynamics.drift",
+                                "the database holds no mean drift; the diagonal of its difference "
+                                "QTF is taken for it",
+                                {}});
         if (data.mean_drift.empty())
             problems.push_back({Severity::error,
                                 p.key_path + ".hydrodynamics.drift",

@@ -86,14 +86,25 @@ namespace {
 /// What the files of a platform's database say against the case.
 void check_database(const Case& input, const Platform& platform, Problems& found,
                     std::vector<std::string>& notes) {
-    if (!platform.hydrodynamics.database) return;
+    if (!platform.hydrodynamics.database) {
+        check_size(input, platform, nullptr, found);
+        return;
+    }
     const HydroDatabase& database = *platform.hydrodynamics.database;
     try {
         const HydroData data = read_hydro(database, input.environment);
         for (const std::string& note : data.notes)
             if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+        for (const HydroDoubt& doubt : data.doubts) {
+            Problem problem{Severity::warning, "", doubt.sentence, doubt.file};
+            problem.line = doubt.line;
+            problem.column = doubt.line > 0 ? 1 : 0;
+            if (std::find(found.begin(), found.end(), problem) == found.end())
+                found.push_back(std::move(problem));
+        }
         if (!database.displaced_volume)
             check_displacement(input, platform, data.displaced_volume, found);
+        check_size(input, platform, &data, found);
         check_coverage(input, platform, data, found);
     } catch (const HydroFileError& error) {
         for (const FileProblem& p : error.problems()) {
@@ -113,6 +124,7 @@ CaseFile read_and_check(const std::filesystem::path& path, const Overrides& over
     std::vector<std::string> notes;
     for (int k = 0; k < file.value.platform_count(); ++k)
         check_database(file.value, file.value.platform_at(k), found, notes);
+    if (file.value.platform_count() > 0) check_steps_of_waves(file.value, found);
     if (found.empty() && notes.empty()) return file;
     locate(found, file);
     for (const std::string& note : notes) found.push_back({Severity::note, "", note, {}});

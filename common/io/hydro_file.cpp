@@ -235,11 +235,13 @@ CheckedHydro read_once(const HydroDatabase& database, const Water& water, double
     std::vector<PlacedCheck> of_inputs = check_wamit_inputs(database, set, data);
     move_phase_origin(database.phase_origin, data);
     shift_to_reference_point(database.reference_point, data);
-    if (std::abs(data.density / water.density - 1.0) > 0.01)
-        r.notes.push_back(
-            fmt::format("{}: made dimensional with {:g} kg/m3, but the water of the "
-                        "case has {:g} kg/m3",
-                        database.path, data.density, water.density));
+    // Of a stated rho the checks of the case tell.
+    if (!database.rho && std::abs(data.density / water.density - 1.0) > 0.005)
+        data.doubts.push_back(
+            {database.path, 0,
+             fmt::format("made dimensional with {:g} kg/m3, but the water of the case has {:g} "
+                         "kg/m3",
+                         data.density, water.density)});
     for (HydroCheck& check : check_hydro(data)) {
         const auto [file, rows] = place_of(check.about, set);
         const int line = rows != nullptr ? line_of(check, *rows) : 0;
@@ -251,23 +253,19 @@ CheckedHydro read_once(const HydroDatabase& database, const Water& water, double
     return out;
 }
 
-/// What is wrong is thrown, what is doubtful noted.
+/// What is wrong is thrown, what is doubtful kept.
 HydroData accepted(CheckedHydro checked) {
     FileProblems problems;
     for (const auto& [check, file, line] : checked.checks) {
         if (check.verdict == HydroCheck::Verdict::wrong) problems.add(file, line, check.sentence);
         if (check.verdict == HydroCheck::Verdict::doubtful)
-            checked.data.notes.push_back(line > 0
-                                             ? fmt::format("{}:{}: {}", file, line, check.sentence)
-                                             : fmt::format("{}: {}", file, check.sentence));
+            checked.data.doubts.push_back({file, line, check.sentence});
     }
     if (!problems.empty()) throw HydroFileError(problems);
     HydroData& data = checked.data;
     if (data.mean_drift.empty() && !data.difference.empty()) {
         data.mean_drift = real_part(diagonal(data.difference));
-        data.notes.push_back(fmt::format(
-            "{}: no file of mean drift; the diagonal of the difference QTF is taken for it",
-            data.source));
+        data.drift_is_of_qtf = true;
     }
     return std::move(data);
 }

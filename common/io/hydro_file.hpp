@@ -49,7 +49,7 @@ struct CheckedHydro {
 /// Missing terms are zero, an upper triangle is filled, headings are reduced to one turn, mirrored
 /// in the stated planes of symmetry, and never extrapolated. A set of 0 to 180 deg whose
 /// coefficients show symmetry about xz is mirrored without being told, with a note. What is wrong
-/// by hydro_checks.hpp is thrown, what is doubtful noted.
+/// by hydro_checks.hpp is thrown, what is doubtful kept beside the data.
 ///
 /// @param depth  of the water [m]; 0: not known, unless the files tell it; infinity: deep
 /// Throws HydroFileError.

@@ -315,7 +315,7 @@ TEST(HydroFormats, DifferenceQtfOfOneTriangleIsFilledByItsConjugate) {
     // Its diagonal stands in for a file of mean drift.
     EXPECT_EQ(data.mean_drift.frequencies, data.difference.frequencies);
     EXPECT_NEAR(data.mean_drift.headings[0].values[1][0], rho * g * ulen * 6.0, 1e-6);
-    EXPECT_THAT(data.notes.back(), HasSubstr("the diagonal of the difference QTF is taken for it"));
+    EXPECT_TRUE(data.drift_is_of_qtf);
     // The drift of a .9 that is 20 % off the diagonal is told.
     std::ofstream nine(d.path + ".9");
     for (const double w : frequencies)
@@ -323,8 +323,11 @@ TEST(HydroFormats, DifferenceQtfOfOneTriangleIsFilledByItsConjugate) {
             nine << row(
                 {period(w), b, b, 1, 0, 0, (w == 1.0 ? 3 : 7.2) * std::cos(b * M_PI / 180), 0});
     nine.close();
-    EXPECT_THAT(read(d).notes.back(), HasSubstr("surge mean drift and the diagonal of the "
-                                                "difference QTF differ by 17 % of the largest"));
+    const HydroData both = read(d);
+    EXPECT_FALSE(both.drift_is_of_qtf);
+    EXPECT_THAT(both.doubts.back().sentence,
+                HasSubstr("surge mean drift and the diagonal of the "
+                          "difference QTF differ by 17 % of the largest"));
 }
 
 TEST(HydroFormats, PhaseOriginMovesTheCrest) {

@@ -117,5 +117,76 @@ TEST(FullQtfOfACase, SaysThatCrossedSeasTakeTheMeanOfEqualHeadings) {
                             HasSubstr("the sum QTF")));
 }
 
+/// A cylinder 40 m across and 70 m deep: V and z_B in the data.
+HydroData cylinder() {
+    HydroData data;
+    data.density = 1025, data.gravity = 9.80665;
+    data.displaced_volume = M_PI * 400 * 70;
+    data.centre_of_buoyancy = Vec3(0, 0, -35);
+    data.waterplane_stiffness(0, 0) = data.density * data.gravity * M_PI * 400;
+    return data;
+}
+
+std::vector<std::string> said_of_size(double draft, double radius) {
+    Case c;
+    c.platform.emplace().draft = draft;
+    c.platform->radii_of_gyration = Vec3(25, radius, 14);
+    const HydroData data = cylinder();
+    Problems problems;
+    check_size(c, *c.platform, &data, problems);
+    std::vector<std::string> all;
+    for (const Problem& p : problems)
+        all.push_back((p.severity == Severity::error ? "error: " : "warning: ") + p.path + ": " +
+                      p.message);
+    return all;
+}
+
+TEST(SizeOfAHull, HasItsCentreOfBuoyancyBetweenKeelAndWaterline) {
+    EXPECT_THAT(said_of_size(70, 25), IsEmpty());
+    EXPECT_THAT(said_of_size(35, 25),
+                ElementsAre(HasSubstr("error: platform.draft: the keel is at -35 m, but the")));
+    EXPECT_THAT(said_of_size(40, 25), ElementsAre(HasSubstr("warning: platform.draft")));
+    EXPECT_THAT(said_of_size(700, 25), ElementsAre(HasSubstr("so near to the waterline")));
+}
+
+TEST(SizeOfAHull, TellsRadiiOfGyrationInAnotherUnit) {
+    for (const double radius : {0.025, 250.0})
+        EXPECT_THAT(said_of_size(70, radius),
+                    ElementsAre(HasSubstr("warning: platform.radii_of_gyration: a radius of "
+                                          "gyration in pitch of")));
+}
+
+TEST(StepsOfWaves, AreAtLeastSixAPeriod) {
+    Case c;
+    c.environment.seabed.depth = 500;
+    c.environment.waves = {{.type = WaveType::airy, .H = 2, .T = 12}};
+    const auto count = [&](double step) {
+        c.analysis.dynamics.platform_step = step;
+        Problems problems;
+        check_steps_of_waves(c, problems);
+        return problems.size();
+    };
+    EXPECT_EQ(count(2.0), 0u);
+    EXPECT_EQ(count(2.1), 1u);
+    // The tail of a spectrum does not count: 2 % of this sea has periods below 6 s.
+    c.environment.waves = {{.type = WaveType::jonswap, .Hs = 6, .Tp = 14, .gamma = 2.4, .seed = 1}};
+    EXPECT_EQ(count(1.0), 0u);
+    EXPECT_EQ(count(2.0), 1u);
+}
+
+TEST(HeadingsOfACase, ASpreadSeaNamesItsTrainAndTheOneHeadingOfTheData) {
+    Case c = case_with_qtf();
+    c.environment.waves[0].heading = 60 * degree;
+    c.environment.waves[0].spreading.emplace();
+    c.platform->hydrodynamics.drift = Drift::none;
+    HydroData data = data_with_qtf();
+    data.excitation.full_circle = false;
+    data.excitation.headings.resize(1);
+    const std::vector<std::string> all = said(c, data);
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_THAT(all[0], HasSubstr("waves spread about 60 deg meet the platform at a heading of "));
+    EXPECT_THAT(all[0], HasSubstr("outside the one heading, 0 deg, of the database's excitation"));
+}
+
 }  // namespace
 }  // namespace hawser

@@ -306,6 +306,16 @@ class Check(unittest.TestCase):
         self.assertEqual(told["warnings"], 1)
         self.assertTrue(any("weight" in p["message"] for p in told["problems"]))
 
+    def test_warns_of_a_platform_step_that_is_long_for_a_natural_period(self):
+        def said(step):
+            done = hawser("check", HEAVE, "--statics", "--set",
+                          f"analysis.dynamics.steps.platform={step} s", "--set",
+                          f"output.interval={step} s")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return done.stderr
+        self.assertNotIn("is long for the natural period", said(2))
+        self.assertRegex(said(5), r"step of 5 s is long for the natural period in heave of \d\d")
+
     def test_refuses_what_no_line_can_be(self):
         said = self.refused(CHAIN, "lines.chain.end_b={anchor: {position: [330 m, 0 m]}}")
         self.assertIn("chain", said)

@@ -368,7 +368,7 @@ class WrongSets(Folder):
     def test_heading_that_is_not_covered(self):
         cylinder(self.folder / "quarter", "0.2:2.6:0.1", "0:90:45")
         words = self.complaint("quarter", wave="{type: airy, H: 2 m, T: 9 s, heading: 120 deg}")
-        self.assertIn("quarter.yml:4:40: error: environment.waves[0].heading: waves meet the platform from a heading of "
+        self.assertIn("quarter.yml:4:40: error: environment.waves[0].heading: waves meet the platform at a heading of "
                       "120 deg, outside the 0 to 90 deg", words)
         self.complaint("quarter", f"path: quarter, symmetry: [xz, yz], {STATED}", code=0,
                        wave="{type: airy, H: 2 m, T: 9 s, heading: 120 deg}")

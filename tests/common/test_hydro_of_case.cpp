@@ -83,7 +83,7 @@ TEST(FullQtfOfACase, CoversTheHeadingsOfTheWaves) {
     c.environment.waves[0].heading = 6 * degree;
     EXPECT_THAT(said(c, data_with_qtf()),
                 ElementsAre(HasSubstr("error: environment.waves[0].heading: waves meet the "
-                                      "platform from a heading of 6 deg"),
+                                      "platform at a heading of 6 deg"),
                             HasSubstr("sum QTF")));
 }
 

@@ -42,7 +42,7 @@ struct Wetting {
 ///     f = 1/2 + (u sqrt(1 - u^2) + asin u)/pi,     int_wet h dA = -2/3 r^3 (1 - u^2)^(3/2)
 ///
 /// h: height across the axis. Integrated in closed form over the part where u is beyond 1, and over
-/// that between by Gauss' rule in an angle that takes away the roots at its ends: to 1e-10 of the
+/// that between by Gauss' rule in an angle that takes away the roots at its ends: to 1e-9 of the
 /// whole. So a member has the second moment of its own waterplane, and is the same however it is
 /// cut.
 Wetting wetting(const Strip& strip, double axis_z, double middle_z, double eta);

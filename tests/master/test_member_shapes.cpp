@@ -127,6 +127,45 @@ TEST(MemberShapes, LeaningConeCutAnywhereDisplacesTheSumOfItsParts) {
     }
 }
 
+// Pieces meet the surface where the strip as a whole does not: wholly wet, wholly dry and cut ones
+// together make up the strip, whatever its taper. Cut sections are integrated to 1e-9
+// of the whole.
+TEST(MemberShapes, StripIsTheSumOfItsPiecesAtAnyDepth) {  // K:24
+    const int n = 16;
+    for (const double taper : {-0.25, 0.0, 0.25})
+        for (const double axis_z : {-0.9, 0.6}) {
+            const Strip strip{
+                .length = 4, .radius = 2, .taper = taper, .width = 5, .width_taper = -2 * taper};
+            for (double depth = -4; depth <= 4; depth += 0.05) {
+                double length = 0, first = 0, drag = 0, volume = 0, along = 0, up = 0;
+                for (int i = 0; i < n; ++i) {
+                    const double s = 4 * ((i + 0.5) / n - 0.5);
+                    const Wetting w = wetting({.length = 4.0 / n,
+                                               .radius = 2 + taper * s,
+                                               .taper = taper,
+                                               .width = 5 - 2 * taper * s,
+                                               .width_taper = -2 * taper},
+                                              axis_z, axis_z * s, depth);
+                    length += w.length;
+                    first += w.length * (s + w.shift);
+                    drag += w.drag_area;
+                    volume += w.volume;
+                    along += w.volume * (s + w.along);
+                    up += w.volume * w.up;
+                }
+                const Wetting all = wetting(strip, axis_z, 0, depth);
+                EXPECT_NEAR(all.length, length, 1e-8) << taper << ' ' << axis_z << ' ' << depth;
+                EXPECT_NEAR(all.length * all.shift, first, 3e-8);
+                EXPECT_NEAR(all.drag_area, drag, 1e-7);
+                EXPECT_NEAR(all.volume, volume, 1e-7);
+                EXPECT_NEAR(all.volume * all.along, along, 1e-7);
+                EXPECT_NEAR(all.volume * all.up, up, 1e-7);
+                const double whole = M_PI * 4 * (4 + taper * taper * 16 / 12);  // truncated cone
+                EXPECT_LE(all.whole ? whole - volume : 0.0, 1e-9) << depth;
+            }
+        }
+}
+
 TEST(MemberShapes, LyingCylinderIsWetBySegments) {
     Case c = bare_case();
     c.platform->members = {cylinder({-10, 0, 0}, {10, 0, 0}, 4)};

@@ -259,6 +259,29 @@ TEST(Members, SinkingColumnGivesMomentumToTheWaterItEnters) {  // P:2 footnote 4
     EXPECT_NEAR(Hull(c, nullptr).loads(0, moving({speed, 0, -sinking}))[Load::members][0], 0, 1e-9);
 }
 
+// The surface that rises along a column at rest changes its added mass as well. Second order in the
+// wave, the half sum at t and half a period later: rho A (1 + Ca) eta a of the crest's water and
+// rho A Ca u_z u_x of the footnote, the latter at the middle of the wet part of its strip.
+TEST(Members, RisingSurfaceGivesMomentumToTheWaterItBrings) {  // P:2 footnote 4
+    Case c = bare_case();
+    const double w = 0.5, amplitude = 0.5, k = w * w / g, T = 2 * M_PI / w, Ca = 0.9;
+    c.environment.waves = {regular_wave(w, amplitude)};
+    c.environment.waves[0].stretching = Stretching::vertical;
+    Member m = column(6, -30, 4);  // 15 strips, one from -1.2 to 1.2 m
+    m.Cd = 0;
+    m.inertia = true;
+    m.displaced_area = M_PI * 4;
+    m.Ca = Ca;
+    c.platform->members = {m};
+    const Hull hull(c, nullptr);
+    const double t = 0.1 * T, cs = std::cos(w * t) * std::sin(w * t);
+    const double second = 0.5 * (hull.loads(t, State::Zero())[Load::members][0] +
+                                 hull.loads(t + T / 2, State::Zero())[Load::members][0]);
+    const double q = rho * M_PI * 4 * amplitude * amplitude * w * w * cs;
+    const double expected = -q * (1 + Ca + Ca * std::exp(-1.2 * k));
+    EXPECT_NEAR(second, expected, 2e-3 * std::abs(expected));  // (1.2 k)^2
+}
+
 TEST(Members, WhirledAddedMassPullsOutwards) {  // -m_a w x (w x r), across the axis
     Case c = bare_case();
     c.platform->members = {{.name = "leg",
@@ -292,6 +315,23 @@ TEST(Plates, ActAlongTheirNormalAlone) {
     EXPECT_EQ(still.plate_added_mass(2, 2), 0);
     const HullLoads whirled = hull.loads(t, moving({0, 0, 0}, {0, 0, 0.2}));
     EXPECT_NEAR((whirled[Load::plates] - still[Load::plates])[0], 2e5 * 0.04 * 30, 1e-6);
+}
+
+TEST(Plates, CurrentThatTheStaticsLeftOutIsRampedOnThem) {
+    Case c = bare_case();
+    c.analysis.dynamics.ramp = 100;
+    c.analysis.statics.current = false;
+    c.environment.current = Current{.profile = {{0, 1.5, {}}}};
+    c.platform->plates = {
+        {.name = "fin", .position = {0, 0, -10}, .normal = {1, 0, 0}, .area = 50, .Cd = 4}};
+    const Hull hull(c, nullptr);
+    const double full = 0.5 * rho * 4 * 50 * 1.5 * 1.5;
+    for (const double t : {0.0, 30.0, 100.0}) {
+        const double r = ramp_factor(t, 100);
+        const HullLoads loads = hull.loads(t, State::Zero());
+        EXPECT_NEAR(loads[Load::current][0], r * r * full, 1e-9 * full) << t;
+        EXPECT_NEAR(loads[Load::plates][0], 0, 1e-9 * full) << t;
+    }
 }
 
 TEST(Plates, PitchingDragsThemBySpeedOfTheirPlace) {

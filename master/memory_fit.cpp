@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "dissipation.hpp"
@@ -29,7 +30,10 @@ MemoryFit fit_of(const Samples& s, const std::vector<Poles>& poles) {
     fit.rms_error = (A * C - Z).norm() / Z.norm();
     const MatrixXcd error =
         s.weights.cast<Complex>().asDiagonal() * (phi * C.cast<Complex>() - s.values);
-    fit.largest_error = error.cwiseAbs().maxCoeff() / s.largest;
+    Eigen::Index at = 0, entry = 0;
+    fit.largest_error = error.cwiseAbs().maxCoeff(&at, &entry) / s.largest;
+    fit.worst_frequency = s.frequencies[at];
+    std::tie(fit.worst_row, fit.worst_column) = s.entries[static_cast<std::size_t>(entry)];
     const Damping damping = damping_of(s, poles, C);
     fit.least_damping = damping.most > 0.0 ? damping.least / damping.most : 0.0;
     for (std::size_t p = 0; p < poles.size(); ++p) {

@@ -24,8 +24,10 @@ struct Oscillator {
 ///          ~ B(w) + i w (A(w) - A(inf))           at s = i w
 struct MemoryFit {
     std::vector<Oscillator> oscillators;
-    double rms_error = 0.0;      ///< of H over the data, part of H's own rms, weighted as fitted
-    double largest_error = 0.0;  ///< of an entry, part of the largest one
+    double rms_error = 0.0;        ///< of H over the data, part of H's own rms, weighted as fitted
+    double largest_error = 0.0;    ///< of an entry, part of the largest one
+    double worst_frequency = 0.0;  ///< where that is [rad/s]
+    int worst_row = 0, worst_column = 0;  ///< and in which entry
     /// Least eigenvalue of the damping Re H over all frequencies, part of the largest: below zero
     /// the fit would feed energy to a motion of that frequency
     double least_damping = 0.0;

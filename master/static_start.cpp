@@ -212,6 +212,26 @@ void look_about(const Case& input, const std::vector<Hull>& hulls,
     }
 }
 
+/// A poor fit of the memory of radiation makes other periods and damping than the data say.
+void look_at_memory(const std::vector<Hull>& hulls, StaticStart& out) {
+    constexpr double poor = 0.05;
+    for (const Hull& hull : hulls) {
+        const MemoryFit& fit = hull.memory();
+        if (fit.oscillators.empty() || fit.rms_error <= poor) continue;
+        const auto name = [](int motion) { return motion_names[static_cast<std::size_t>(motion)]; };
+        out.notes.push_back(fmt::format(
+            "{}: the oscillators miss the database's radiation by {:.2g} % rms, most {} at {:.4g} "
+            "rad/s: a frequency there may be an irregular one of the program that made the data "
+            "(`hawser hydro info` draws it); added_mass: {{convolution: {{form: discrete}}}} takes "
+            "damping alone",
+            hull.name(), 100 * fit.rms_error,
+            fit.worst_row == fit.worst_column
+                ? fmt::format("in {}", name(fit.worst_row))
+                : fmt::format("between {} and {}", name(fit.worst_row), name(fit.worst_column)),
+            fit.worst_frequency));
+    }
+}
+
 /// The Runge-Kutta step takes from an oscillation the part (w D)^5 / 288 of critical damping and
 /// has no bound beyond w D = 2.83: a natural period shorter than six steps is told.
 void look_at_step(const Case& input, const std::vector<Hull>& hulls, StaticStart& out) {
@@ -313,6 +333,7 @@ StaticStart static_start(const Case& input, std::vector<Hull>& hulls, Lines& lin
     out.iterations = rest.iterations;
     look_about(input, hulls, bodies, lines, out);
     look_at_step(input, hulls, out);
+    look_at_memory(hulls, out);
 
     out.start = with_initial(input, hulls, rest.pose);
     out.lines = std::move(rest.lines);

@@ -158,7 +158,9 @@ const Table& memory_keys() {
         k.integer("order", &RadiationMemoryKeys::order,
                   "Number of oscillators of the fitted form, 12 at most")
             .or_word("auto")
-            .follows("the fewest that fit the database within 0.5 %")
+            .follows(
+                "the fewest that fit the database within 0.5 %, or else within a tenth of the "
+                "best of 12; the summary tells the error")
             .at_least(1)
             .at_most(12)
             .eg("4");

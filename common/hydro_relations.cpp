@@ -77,6 +77,10 @@ double hull_size(const HydroData& d) {
     // A disc of radius r: second moments sum to area r^2 / 2.
     if (C(0, 0) > 0.0 && d.displaced_volume > 0.0)
         size = std::max(size, 2 * std::sqrt(2 * std::max(0.0, C(1, 1) + C(2, 2)) / C(0, 0)));
+    // Without a volume C44 and C55 cannot be taken apart; C33 is the area alone: of a disc.
+    if (d.displaced_volume == 0.0 && d.buoyancy_stiffness)
+        size = 2 * std::sqrt(std::max(0.0, (*d.buoyancy_stiffness)(2, 2)) /
+                             (M_PI * d.density * d.gravity));
     return size;
 }
 

@@ -11,7 +11,8 @@
 namespace hawser {
 
 /// How far the hull reaches [m]: the edge of the cube of its volume or the diameter of the disc
-/// with its waterplane's second moments, whichever is more. 0: not known.
+/// with its waterplane's second moments, whichever is more; without a volume that of its
+/// waterplane's area. 0: not known.
 double hull_size(const HydroData& data);
 
 /// Length of a wave [m]. @param depth  0: deep water

@@ -116,11 +116,15 @@ class WamitSet {
         if (!limits && hams_) limits = HydroLimits::reversed;
         if (!limits && column() == PeriodColumn::period) limits = HydroLimits::wamit;
         if (!limits) {
-            r_.problems.add(file, line,
-                            fmt::format("{:g} is a limit, but with frequencies or wavenumbers in "
-                                        "this column programs differ in which; expected the key "
-                                        "`limits`: wamit (negative is zero frequency) or reversed",
-                                        per));
+            if (!limits_told_)
+                r_.problems.add(
+                    file, line,
+                    fmt::format("{:g} is a limit, but with frequencies or wavenumbers in this "
+                                "column programs differ in which; expected the key `limits`: wamit "
+                                "(negative is zero frequency) or reversed; or, if the column holds "
+                                "periods, period_column: period",
+                                per));
+            limits_told_ = true;
             return -1;
         }
         const int of_wamit = per < 0.0 ? -1 : 1;
@@ -297,6 +301,7 @@ class WamitSet {
 
     Reading& r_;
     bool hams_;
+    bool limits_told_ = false;
     bool others_ = false;  ///< other bodies were met and may be left out
     HydroSet set_;
 };

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 
+#include "hydro_relations.hpp"
 #include "io/hydro_file.hpp"
 
 namespace hawser::io {
@@ -122,6 +123,15 @@ TEST(HydroFile, GivesTheSameSINumbersForAnyLengthUnit) {
         // K:7: C44 = 0 less rho g V z_B is the waterplane's pi/4 r^4.
         EXPECT_NEAR(d.waterplane_stiffness(1, 1), rho * g * M_PI / 4 * 16, 1e-3);
     }
+}
+
+TEST(HydroFile, SizeOfAHullWithoutAVolumeIsTheDiscOfItsWaterplane) {
+    HydroData d;
+    d.density = rho, d.gravity = g;
+    EXPECT_EQ(hull_size(d), 0.0);
+    d.buoyancy_stiffness = Mat6::Zero();
+    (*d.buoyancy_stiffness)(2, 2) = rho * g * M_PI * 400;
+    EXPECT_NEAR(hull_size(d), 40.0, 1e-10);
 }
 
 TEST(HydroFile, HeaderLineIsSkippedOrAbsent) {

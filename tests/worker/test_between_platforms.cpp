@@ -144,6 +144,30 @@ TEST(BetweenPlatforms, AnEndBAloneOnAPlatformHasItsStiffness) {
     expect_stiffness_is_the_derivative(input, 0);
 }
 
+TEST(BetweenPlatforms, ALightHawserThatDipsIntoTheSeaIsFoundFromEitherEnd) {
+    // 78 N/m in air and 14 N/m in water: catenaries of elements that are wet or dry have gaps
+    LineType rope = testing::plain_type(8.0, 2e6);
+    rope.displaced_area = M_PI / 4 * 0.09 * 0.09;
+    for (const double above : {1.0, 2.0, 3.0, 4.0}) {
+        for (const double higher : {0.0, 1.0, 2.0}) {
+            const LineEnd near = on_platform(0, {12.0, 0.0, above});
+            const LineEnd far = on_platform(1, {-7.0, 0.0, above + higher});
+            std::array<Vec12, 2> loads;
+            for (const std::size_t turned : {0U, 1U}) {
+                Case input =
+                    testing::one_line(rope, 285.0, 50, turned ? far : near, turned ? near : far);
+                add_platforms(input);
+                LocalLines lines(input, {0}, nullptr);
+                const Reply reply = at_rest(lines, poses(input));
+                ASSERT_TRUE(reply.status.ok()) << above << " + " << higher << " turned " << turned;
+                loads[turned] = loads_on_both(reply.lines[0]);
+            }
+            // the static residual is 1e-6 m of a line that gives 0.1 m per kN and less
+            EXPECT_LT((loads[0] - loads[1]).norm(), 1e-3 * loads[0].norm()) << above << higher;
+        }
+    }
+}
+
 TEST(BetweenPlatforms, BothLoadsAndTheWeightInWaterBalance) {
     const Case input = hanging_between(Joint::flex);
     LocalLines lines(input, {0}, nullptr);

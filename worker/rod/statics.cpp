@@ -55,8 +55,15 @@ auto RodPack<V>::guess_lane(int lane, const PlatformMotion& pose, const Vec3& a,
         T::set(found, lane, true);
         return found;
     }
-    const Catenary shape_found =
-        b ? solve_catenary(elements, *b, a, on_bed) : hang_freely(elements, a);
+    Catenary shape_found = b ? solve_catenary(elements, *b, a, on_bed) : hang_freely(elements, a);
+    if (!shape_found.found && b) {
+        // Weights that change at the water line from element to element leave gaps between the
+        // catenaries of a light line, and its ends may fall into one. Wet all along it has none,
+        // and is start enough.
+        std::vector<CatenaryElement> wet = elements;
+        for (CatenaryElement& e : wet) e.weight_dry = e.weight_wet;
+        shape_found = solve_catenary(wet, *b, a, on_bed);
+    }
     if (!shape_found.found) return found;
     T::set(found, lane, true);
     start_from(lane, shape_found.nodes);

@@ -147,13 +147,14 @@ std::string static_failure_cause(const Line& line, const Case& input,
         const Vec3& lower = a.z() < b.z() ? a : b;
         const double hangs = lower.z() - 0.5 * (length - down);  // a loop without width
         const bool clear = hangs > input.environment.seabed.height(lower.x(), lower.y());
-        if (length > across + down && clear)
+        const bool narrow = length - down > 2.0 * across;  // deeper than wide
+        if (narrow && clear)
             return fmt::format(
                 "it hangs in a loop {:.4g} m deep between ends {:.4g} m apart: at its bottom it "
                 "turns within about {:.3g} m, which elements of {:.3g} m cannot follow; make them "
                 "shorter there",
                 0.5 * (length - down), across, 0.5 * across, longest_element(line));
-        if (length > across + down)
+        if (length > across + down && !clear)
             return fmt::format(
                 "so long that it lies slack: {:.5g} m of line for {:.5g} m across and {:.5g} m "
                 "down, and nothing says where the rest lies; shorten it to less than {:.5g} m or "

@@ -129,6 +129,16 @@ TEST(StaticFailure, SaysThatAStiffnessIsOutOfReason) {
     EXPECT_THAT(cause(c), HasSubstr("EI = 1e+12 N.m2 of chain"));
 }
 
+TEST(StaticFailure, SpeaksOfALoopOnlyWhereItIsDeeperThanWide) {
+    Case c = moored();
+    c.lines[0].end_b = {.kind = EndKind::fixed, .position = {40, 0, -20}};
+    c.lines[0].sections[0].length = 200.0;
+    EXPECT_THAT(cause(c), HasSubstr("in a loop 100 m deep between ends 40 m apart"));
+    c.lines[0].end_b.position.x() = 197.0;  // sags by 15 m
+    EXPECT_THAT(cause(c),
+                testing::AllOf(testing::Not(HasSubstr("loop")), testing::Not(HasSubstr("slack"))));
+}
+
 TEST(StaticFailure, SaysThatAnEndIsInTheGround) {
     Case c = moored();
     c.lines[0].end_b = {.kind = EndKind::fixed, .position = {450, 0, -310}};

@@ -14,15 +14,6 @@ namespace hawser::master {
 
 namespace {
 
-const Reply& ask(Lines& lines, const Poses& poses, bool current) {
-    Order order;
-    order.ask = Ask::equilibrium;
-    order.current = current;
-    order.from = order.to = poses;
-    lines.send(order);
-    return lines.receive();
-}
-
 /// Least-norm solution of K dX = r with rotations measured as lengths; what nothing holds stays.
 struct NewtonStep {
     Vec6 dX;
@@ -104,11 +95,11 @@ Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
 
         Vec6 dX = limited(step.dX, limits);
         PlatformMotion moved = moved_by(dX);
-        const Reply* reply = &ask(lines, Poses{moved}, current);
+        const Reply* reply = &ask_equilibrium(lines, Poses{moved}, current);
         for (int half = 0; !reply->status.ok() && half < most_halvings; ++half) {
             dX /= 2;
             moved = moved_by(dX);
-            reply = &ask(lines, Poses{moved}, current);
+            reply = &ask_equilibrium(lines, Poses{moved}, current);
         }
         if (!reply->status.ok())
             throw RunError(ExitCode::no_equilibrium, describe(reply->status, Poses{moved}));
@@ -117,8 +108,17 @@ Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
     }
 }
 
+const Reply& ask_equilibrium(Lines& lines, const Poses& poses, bool current) {
+    Order order;
+    order.ask = Ask::equilibrium;
+    order.current = current;
+    order.from = order.to = poses;
+    lines.send(order);
+    return lines.receive();
+}
+
 Reply lines_at(Lines& lines, const Poses& poses, bool current, const Describe& describe) {
-    const Reply& reply = ask(lines, poses, current);
+    const Reply& reply = ask_equilibrium(lines, poses, current);
     if (!reply.status.ok()) throw RunError(ExitCode::no_equilibrium, describe(reply.status, poses));
     return reply;
 }

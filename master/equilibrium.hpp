@@ -57,6 +57,9 @@ Equilibrium find_equilibrium(const StaticPlatform& platform, Lines& lines,
                              const PlatformMotion& start, bool current, const NewtonLimits& limits,
                              const Describe& describe);
 
+/// What the lines answer with the platforms held at their poses; its status may tell of a line that
+/// has no equilibrium there.
+const Reply& ask_equilibrium(Lines& lines, const Poses& poses, bool current);
 /// The lines' static loads with the platforms held at their poses. Throws RunError
 /// (no_equilibrium).
 Reply lines_at(Lines& lines, const Poses& poses, bool current, const Describe& describe);

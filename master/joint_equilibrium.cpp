@@ -15,15 +15,6 @@ namespace hawser::master {
 
 namespace {
 
-const Reply& ask(Lines& lines, const Poses& poses, bool current) {
-    Order order;
-    order.ask = Ask::equilibrium;
-    order.current = current;
-    order.from = order.to = poses;
-    lines.send(order);
-    return lines.receive();
-}
-
 /// A platform that is led may weigh nothing.
 double force_of(const StaticPlatform& platform) {
     return platform.force > 0.0 ? platform.force : 1.0;
@@ -173,11 +164,11 @@ JointEquilibrium find_joint_equilibrium(const std::vector<StaticPlatform>& platf
 
         Eigen::VectorXd dX = part_within(step.dX, limits) * step.dX;
         Poses moved = displaced_all(platforms, at.pose, dX, start);
-        const Reply* reply = &ask(lines, moved, current);
+        const Reply* reply = &ask_equilibrium(lines, moved, current);
         for (int half = 0; !reply->status.ok() && half < most_halvings; ++half) {
             dX /= 2;
             moved = displaced_all(platforms, at.pose, dX, start);
-            reply = &ask(lines, moved, current);
+            reply = &ask_equilibrium(lines, moved, current);
         }
         if (!reply->status.ok())
             throw RunError(ExitCode::no_equilibrium, describe(reply->status, moved));

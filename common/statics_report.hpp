@@ -52,7 +52,7 @@ struct OffsetPoint {
     double transverse = 0.0;             ///< to the left of the offset [N]
     double yaw_moment = 0.0;             ///< about the platform's reference point [N.m]
     double slope = 0.0;                  ///< d restoring/d offset, from the lines' tangent [N/m]
-    double least = 0.0, greatest = 0.0;  ///< tension at end A [N]
+    double least = 0.0, greatest = 0.0;  ///< tension at end A, of lines that touch the platform [N]
     int least_line = -1, greatest_line = -1;  ///< index in Case::lines
 };
 

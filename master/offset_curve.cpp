@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "line_selection.hpp"
+#include "packing.hpp"
 #include "pose.hpp"
 #include "static_start.hpp"
 
@@ -84,6 +85,7 @@ OffsetPoint point_of(const OffsetCurve& curve, const Case& input, const Axes& ax
     point.across = axes.across.head<3>().dot(point.pose.position);
     for (const int i : curve.lines) {
         const LineLoad& line = at.lines.lines[static_cast<std::size_t>(i)];
+        if (line.on(curve.platform) == nullptr) continue;
         const Pull pull = pull_of(line, curve.platform, moves);
         point.restoring -= pull.load.dot(axes.along);
         point.transverse += pull.load.dot(axes.across);
@@ -113,6 +115,15 @@ OffsetCurve empty_curve(const Case& input, const StaticsRequest& request) {
     curve.platform = platform_called(request.platform, input);
     curve.heading = request.heading;
     curve.lines = lines_called(request.lines, input);
+    const std::vector<Touched> touched = touched_platforms(input);
+    if (std::none_of(curve.lines.begin(), curve.lines.end(), [&](int i) {
+            const Touched& its = touched[static_cast<std::size_t>(i)];
+            return its.first == curve.platform || its.second == curve.platform;
+        }))
+        throw RunError(ExitCode::input,
+                       fmt::format("--lines: none called \"{}\" touches {}: name another line, or "
+                                   "the platform with --platform",
+                                   request.lines, input.platform_at(curve.platform).name));
     const bool all = curve.lines.size() == input.lines.size();
     curve.free = request.free.value_or(FreeMotions{.heave = all});
     const Held held = input.platform_at(curve.platform).held();

@@ -322,7 +322,8 @@ std::string curve_text(const Case& input, const OffsetCurve& curve) {
     return out + table.text() +
            (broken ? "!: above the breaking load of the line's first section\n" : "") +
            "restoring: what holds the platform there pulls as much, at its reference point. "
-           "slope: with the free motions following.\ntensions are those at end A\n";
+           "slope: with the free motions following.\ntensions are those at end A" +
+           (several ? ", of the lines that touch the platform\n" : "\n");
 }
 
 std::string heading(const Case& input) {

@@ -380,6 +380,36 @@ TEST(PlatformsTogether, AreFollowedByTheOtherAlongTheRestoringCurve) {
     }
 }
 
+TEST(PlatformsTogether, TheRestoringCurveLooksAtTheLinesOfItsPlatform) {
+    // near - hawser - far - tail - anchor, far held: the tail is the tauter one and not near's
+    Case c = two_buoys();
+    c.further_platforms[0].fixed = {true, true, true, true, true, true};
+    join(c, 1e-3, 4e7, 198.0, 10);
+    c.lines.push_back(c.lines[0]);
+    Line& tail = c.lines[1];
+    tail.name = tail.family = "tail";
+    tail.sections[0].length = 295.0;
+    tail.end_a = {.kind = EndKind::platform, .platform = 1};
+    tail.end_b = {.kind = EndKind::fixed, .position = {600, 0, 0}};
+    StaticsRequest request;
+    request.offsets = {0.0};
+    const StaticsReport report = find_statics(c, request);
+    ASSERT_TRUE(report.curve);
+    const OffsetPoint& point = report.curve->points.at(0);
+    EXPECT_EQ(point.greatest_line, 0);
+    EXPECT_NEAR(point.greatest, 4e7 * (200.0 / 198.0 - 1.0), 1.0);
+    ASSERT_GT(report.lines[1].tension_a, 1.5 * point.greatest);
+    request.lines = "tail";
+    try {
+        find_statics(c, request);
+        FAIL();
+    } catch (const RunError& error) {
+        EXPECT_EQ(error.code(), ExitCode::input);
+        EXPECT_NE(std::string(error.what()).find("touches near"), std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(PlatformsTogether, AFailureNamesThePlatform) {
     Case c = two_buoys();
     Platform& bad = c.further_platforms[0];

@@ -207,7 +207,9 @@ class Checks {
                 check.mode = i;
             }
         }
-        if (fine) add(Verdict::fine, About::radiation, "damping", "damping is nowhere negative");
+        if (fine)
+            add(Verdict::fine, About::radiation, "damping",
+                "damping is nowhere negative beyond 0.1 % of its largest");
     }
 
     /// No motion may take work from the water: B has no negative direction.

@@ -222,7 +222,7 @@ void look_at_memory(const std::vector<Hull>& hulls, StaticStart& out) {
         out.notes.push_back(fmt::format(
             "{}: the oscillators miss the database's radiation by {:.2g} % rms, most {} at {:.4g} "
             "rad/s: a frequency there may be an irregular one of the program that made the data "
-            "(`hawser hydro info` draws it); added_mass: {{convolution: {{form: discrete}}}} takes "
+            "(scripts/plot_hydro draws it); added_mass: {{convolution: {{form: discrete}}}} takes "
             "damping alone",
             hull.name(), 100 * fit.rms_error,
             fit.worst_row == fit.worst_column

@@ -189,6 +189,10 @@ class Completion {
     void name(const std::string& name, const std::string& path) {
         if (name == "seabed") {
             error(path, "\"seabed\" stands for the earth: give the platform another name");
+        } else if (name.starts_with("seabed_")) {
+            error(path, fmt::format("\"{}\": results keep names that begin with seabed_ for the "
+                                    "seabed; give the platform another name",
+                                    name));
         } else if (name.empty() || name.front() == ' ' || name.back() == ' ' ||
                    name.find_first_of("/.[]{}*?\"\\") != std::string::npos ||
                    std::any_of(name.begin(), name.end(),

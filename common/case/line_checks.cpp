@@ -206,7 +206,9 @@ class LineChecks {
                 s.length * mean(s, [](const LineType& t) { return std::sqrt(t.mass / t.EA); });
         }
         const double period = 2.0 * travel, D = case_.analysis.dynamics.platform_step;
-        if (line_.end_a.kind == EndKind::platform && held && period < D) {
+        const bool on_platform =
+            line_.end_a.kind == EndKind::platform || line_.end_b.kind == EndKind::platform;
+        if (on_platform && held && period < D) {
             warning("", fmt::format("first axial period {:.3g} s is below the platform step {:.3g} "
                                     "s; the coupling may go unstable",
                                     period, D));

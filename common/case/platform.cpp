@@ -160,7 +160,7 @@ const Table& memory_keys() {
             .or_word("auto")
             .follows(
                 "the fewest that fit the database within 0.5 %, or else within a tenth of the "
-                "best of 12; the summary tells the error")
+                "best of 12 (fewer with few frequencies); the summary tells the error")
             .at_least(1)
             .at_most(12)
             .eg("4");
